@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace sigmasweep {
+
+/// Why a collision was considered over.
+enum class End : std::uint8_t {
+  none,       ///< it is not over: see the status
+  separated,  ///< no contact closed and no neighbouring pair, wall included, approaching
+  settled     ///< pairs still approach, but what they can dissipate is below the tolerance, and in the error
+};
+
+/// What a row of a table is worth. The names are stored in the table (names.hpp).
+enum class Status : std::uint8_t {
+  ok,
+  collapsed,         ///< hard spheres: infinitely many collisions in finite time; finished as one cluster. A result.
+  tolerance_missed,  ///< a result, but its estimated error is above the tolerance
+  unstable,          ///< a fixed time step that is too long for the stiffest mode: no result
+  event_limit,       ///< given up after too many contact events: no result
+  time_limit,        ///< given up after too much computing time: no result
+  non_finite,        ///< an infinity or NaN came up: no result
+  failed,            ///< the solver threw: no result
+  not_run
+};
+
+/// Whether a row with this status holds what was asked for.
+constexpr bool is_success(Status status) { return status == Status::ok || status == Status::collapsed; }
+
+/// What one collision of a column gave. A plain value of fixed size, sent and stored as it is.
+/// Where there is no result every number is NaN.
+struct Collision {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  double eps_eff = nan;        ///< sqrt(E_f/E_0), effective restitution
+  double eps_eff_error = nan;  ///< estimate of its absolute error
+  double Er_Ef = nan;          ///< E_r/E_f, E_r = 1/2 sum m_i (v_i - v_cm)^2 after the collision
+  double Er_E0 = nan;          ///< E_r/E_0
+  double v_cm = nan;           ///< final velocity of the centre of mass over v0
+  double t_k = nan;            ///< from the first to the last contact with the wall, s (0 for hard spheres at s0 = 0)
+  double x_max = nan;          ///< largest overlap of any contact, m (0 for hard spheres)
+  std::uint64_t contacts = 0;  ///< contacts that closed and opened again; for hard spheres collisions
+  End end = End::none;
+  Status status = Status::not_run;
+};
+
+}  // namespace sigmasweep
