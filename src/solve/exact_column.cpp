@@ -11,6 +11,7 @@ ExactColumn<Real>::ExactColumn(const Column<Real>& column, const ExactOptions& o
       N_(std::size_t(column.N)),
       wall_(column.K_wall, column.C_wall, inertia(0)),
       pair_(column.K, column.C, inertia(1)),
+      steps_(column),
       x_(N_, -column.gap),
       u_(N_, Real(0)),
       at_(N_, Real(0)),
@@ -195,6 +196,7 @@ void ExactColumn<Real>::make_group(std::size_t lo, std::size_t hi, const Real& t
   group.lo = lo;
   group.hi = hi;
   group.start = t;
+  group.prepared = false;
   for (std::size_t k = lo; k <= hi; ++k) {
     group_of_[k] = id;
     if (k != lo) events_.remove(k);
@@ -248,13 +250,17 @@ template <class Real>
 void ExactColumn<Real>::begin_taylor(Group& group) {
   const std::size_t n = group.hi - group.lo + 1;
   auto& taylor = group.taylor;
-  taylor.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t k = group.lo + i;
-    taylor.set(i, closed_[k], K(k), C(k), inertia(k), x_[k], u_[k]);
+  if (!group.prepared) {
+    taylor.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = group.lo + i;
+      taylor.set_law(i, closed_[k], K(k), C(k), inertia(k));
+    }
+    group.longest = longest_step(group);
+    group.prepared = true;
   }
-  const Real h = step_length(group);
-  taylor.expand(h);
+  const Real h = group.longest;
+  taylor.expand(std::span(x_).subspan(group.lo, n), std::span(u_).subspan(group.lo, n), h);
   const auto crossing = taylor.first_crossing();
   group.event = crossing.has_value();
   group.scaled = crossing ? crossing->when : Real(1);
@@ -262,34 +268,16 @@ void ExactColumn<Real>::begin_taylor(Group& group) {
   if (crossing) group.contact = group.lo + crossing->contact;
 }
 
-/// taylor_reach over the largest rate |s| among the modes s^2 + lambda C s + lambda K = 0 of the group's chains. A free
-/// chain of c closed contacts has lambda_max = 2 + 2 cos(pi/(c+1)), one at the wall 2 + 2 cos(2 pi/(2c+1)); a wall of
-/// twice the stiffness raises the latter to at most 2 + sqrt 2 + 1 (Gershgorin), or 2 for c = 1.
+/// The shortest of what the group's chains of closed contacts allow.
 template <class Real>
-Real ExactColumn<Real>::step_length(const Group& group) const {
-  const double pi = 3.14159265358979323846;
-  double lambda = 1.0;
-  for (std::size_t k = group.lo; k <= group.hi;) {
-    if (!closed_[k]) {
-      ++k;
-      continue;
-    }
-    std::size_t end = k;
-    while (end <= group.hi && closed_[end]) ++end;
-    const double c = double(end - k);
-    double highest = 2.0 + 2.0 * std::cos(pi / (c + 1.0));
-    if (k == 0) {
-      const bool paper = column_.K_wall == column_.K;
-      highest = paper ? 2.0 + 2.0 * std::cos(2.0 * pi / (2.0 * c + 1.0)) : (c > 1.0 ? 4.4143 : 2.0);
-    }
-    lambda = std::max(lambda, highest);
-    k = end;
+Real ExactColumn<Real>::longest_step(const Group& group) const {
+  Real h = steps_.unconnected();
+  for (std::size_t k = group.lo; k <= group.hi; ++k) {
+    const std::size_t first = k;
+    while (k <= group.hi && closed_[k]) ++k;
+    if (k > first) h = std::min(h, first == 0 ? steps_.at_wall(k - first) : steps_.free(k - first));
   }
-  using std::sqrt;
-  const Real damping = Real(lambda) * column_.C / 2, stiffness = Real(lambda) * column_.K;
-  const Real discriminant = damping * damping - stiffness;
-  const Real rate = discriminant > 0 ? Real(damping + sqrt(discriminant)) : Real(sqrt(stiffness));
-  return Real(taylor_reach) / rate;
+  return h;
 }
 
 template <class Real>

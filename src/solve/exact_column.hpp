@@ -9,6 +9,7 @@
 #include "binary_contact.hpp"
 #include "sigmasweep/solve/column.hpp"
 #include "sigmasweep/solve/exact.hpp"
+#include "step_lengths.hpp"
 #include "taylor_group.hpp"
 #include "tournament.hpp"
 
@@ -36,6 +37,8 @@ class ExactColumn {
     Real scaled{};               ///< Taylor: the step's length over h
     std::size_t contact = 0;     ///< which contact changes at the step's end, if `event`
     bool event = false, binary = false;
+    bool prepared = false;       ///< Taylor: the laws are set
+    Real longest{};              ///< Taylor: how far the series reaches, in time
     State entry{};               ///< binary: the contact's state at the start
     TaylorGroup<Real> taylor;
   };
@@ -57,7 +60,7 @@ class ExactColumn {
   bool begin_binary(Group& group);
   void begin_taylor(Group& group);
   void schedule_gap(std::size_t k);
-  Real step_length(const Group& group) const;
+  Real longest_step(const Group& group) const;
   Real disturbed(const Real& value);
   bool settled();
   std::vector<Real> velocities() const;
@@ -66,6 +69,7 @@ class ExactColumn {
   ExactOptions options_;
   std::size_t N_;
   BinaryContact<Real> wall_, pair_;
+  StepLengths<Real> steps_;
   std::vector<Real> x_, u_, at_;        ///< overlap, rate, and the time they are of
   std::vector<std::uint8_t> closed_;
   std::vector<int> group_of_;

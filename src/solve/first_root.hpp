@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
-#include <span>
+
+#include "lanes.hpp"
 
 /// The first root of a polynomial on (0, 1], with a guarantee: no root is passed over.
 ///
@@ -13,91 +16,145 @@
 /// first. Two roots closer than rounding (a grazing contact) end in an interval of that width and count as a root.
 namespace sigmasweep {
 
-template <class Real, std::size_t MaxOrder>
+template <class Real, int Order>
 class FirstRoot {
+  static constexpr std::size_t terms = Order + 1;
+
  public:
-  using Coefficients = std::array<Real, MaxOrder + 1>;
+  using Coefficients = std::array<Real, terms>;
 
   /// Smallest t in [0, 1] at which p(t) = sum p_i t^i goes from positive to negative. p is known to be not negative
   /// just before 0; where p_0 = 0 the sign of the first coefficient that is not zero decides, and 0 is returned when
   /// p leaves downwards at once.
-  static std::optional<Real> find(std::span<const Real> p) {
+  static std::optional<Real> find(const Coefficients& p) {
     std::size_t shift = 0;
-    while (shift < p.size() && p[shift] == Real(0)) ++shift;
-    if (shift == p.size()) return std::nullopt;
+    while (shift < terms && p[shift] == Real(0)) ++shift;
+    if (shift == terms) return std::nullopt;
     if (p[shift] < 0) return Real(0);
-    const std::span<const Real> q = p.subspan(shift);
-    if (q.size() == 1) return std::nullopt;
-    Coefficients b;
-    to_bernstein(q, b);
-    return search(q, b, Real(0), Real(1), 0);
+    Coefficients q{};  // p/t^shift
+    std::copy(p.begin() + std::ptrdiff_t(shift), p.end(), q.begin());
+    return search(q, to_bernstein()(q), Real(0), Real(1), 0);
   }
 
  private:
-  /// b_j = sum_{i <= j} C(j,i)/C(n,i) q_i, by repeated addition along Pascal's triangle.
-  static void to_bernstein(std::span<const Real> q, Coefficients& b) {
-    const std::size_t n = q.size() - 1;
-    Real binomial = 1;  // C(n, i)
-    for (std::size_t i = 0; i <= n; ++i) {
-      b[i] = q[i] / binomial;
-      binomial = binomial * Real(static_cast<double>(n - i)) / Real(static_cast<double>(i + 1));
+  /// A lower triangular matrix, stored by columns of whole blocks.
+  class Triangle {
+   public:
+    template <class Entry>
+    explicit Triangle(Entry entry) {
+      for (std::size_t i = 0; i < terms; ++i)
+        for (std::size_t j = i; j < terms; ++j) column_[i][j / Block::count][j % Block::count] = entry(j, i);
     }
-    for (std::size_t level = 1; level <= n; ++level)
-      for (std::size_t i = n; i >= level; --i) b[i] += b[i - 1];
+    Coefficients operator()(const Coefficients& q) const {
+      Coefficients product;
+      for (std::size_t r = 0; r < blocks; ++r) {
+        Block sum, other;
+        const std::size_t end = std::min((r + 1) * Block::count, terms);
+        std::size_t i = 0;
+        for (; i + 1 < end; i += 2) {
+          sum = sum + column_[i][r] * Block(q[i]);
+          other = other + column_[i + 1][r] * Block(q[i + 1]);
+        }
+        if (i < end) sum = sum + column_[i][r] * Block(q[i]);
+        sum = sum + other;
+        for (std::size_t j = r * Block::count; j < end; ++j) product[j] = sum[j % Block::count];
+      }
+      return product;
+    }
+
+   private:
+    using Block = Lanes<Real>;
+    static constexpr std::size_t blocks = (terms + Block::count - 1) / Block::count;
+    std::array<std::array<Block, blocks>, terms> column_;
+  };
+
+  /// b_j = sum_{i <= j} C(j,i)/C(n,i) q_i.
+  static const Triangle& to_bernstein() {
+    static const Triangle map([](std::size_t j, std::size_t i) { return binomial(j, i) / binomial(Order, i); });
+    return map;
+  }
+  /// de Casteljau at the middle: the left half's b_j = sum_{i <= j} C(j,i) 2^-j b_i.
+  static const Triangle& to_left_half() {
+    static const Triangle map([](std::size_t j, std::size_t i) {
+      Real value = binomial(j, i);
+      for (std::size_t k = 0; k < j; ++k) value /= 2;
+      return value;
+    });
+    return map;
+  }
+  static Real binomial(std::size_t n, std::size_t k) {
+    Real c = 1;
+    for (std::size_t i = 1; i <= k; ++i) c = c * Real(double(n - k + i)) / Real(double(i));
+    return c;
+  }
+  static Coefficients right_half(Coefficients b) {
+    std::reverse(b.begin(), b.end());
+    b = to_left_half()(b);
+    std::reverse(b.begin(), b.end());
+    return b;
   }
 
-  static int sign_changes(const Coefficients& b, std::size_t n) {
+  static std::optional<Real> search(const Coefficients& q, const Coefficients& b, const Real& left, const Real& right,
+                                    int depth) {
     int changes = 0;
-    bool negative = false;  // p starts positive
-    for (std::size_t i = 0; i <= n; ++i) {
-      if (b[i] == Real(0)) continue;
-      if ((b[i] < 0) != negative) {
+    std::size_t last_positive = 0;
+    bool negative = false;  // q starts positive
+    for (std::size_t i = 0; i < terms; ++i) {
+      if (b[i] != Real(0) && (b[i] < 0) != negative) {
         negative = !negative;
         ++changes;
       }
+      if (!negative) last_positive = i;
     }
-    return changes;
-  }
-
-  static std::optional<Real> search(std::span<const Real> q, const Coefficients& b, const Real& left,
-                                    const Real& right, int depth) {
-    const std::size_t n = q.size() - 1;
-    const int changes = sign_changes(b, n);
     if (changes == 0) return std::nullopt;
-    if (changes == 1) return refine(q, left, right);
-    if (depth > max_depth) return left;
-    Coefficients low, high = b;  // de Casteljau at the middle: low on the left half, high on the right half
-    low[0] = high[0];
-    for (std::size_t level = 1; level <= n; ++level) {
-      for (std::size_t i = 0; i + level <= n; ++i) high[i] = (high[i] + high[i + 1]) / 2;
-      low[level] = high[0];
+    if (changes == 1) {
+      // Where the control polygon crosses zero is close to the root.
+      const Real above = b[last_positive], below = b[last_positive + 1];
+      const Real crossing = (Real(double(last_positive)) + above / (above - below)) / Real(Order);
+      return refine(q, left, right, left + crossing * (right - left));
     }
+    if (depth > max_depth) return left;
     const Real middle = (left + right) / 2;
+    const Coefficients low = to_left_half()(b);
     if (auto root = search(q, low, left, middle, depth + 1)) return root;
-    if (low[n] < 0) return middle;  // the sign changed at the middle itself
-    return search(q, high, middle, right, depth + 1);
+    if (low[Order] < 0) return middle;  // the sign changed at the middle itself
+    return search(q, right_half(b), middle, right, depth + 1);
   }
 
-  /// Newton's method kept inside a bracket with q(left) > 0 > q(right).
-  static Real refine(std::span<const Real> q, Real left, Real right) {
-    Real t = (left + right) / 2;
+  /// Newton's method from t, kept inside a bracket with q(left) > 0 > q(right).
+  static Real refine(const Coefficients& q, Real left, Real right, Real t) {
+    if (!(t > left && t < right)) t = (left + right) / 2;
     for (int iteration = 0; iteration < 200; ++iteration) {
-      Real value = 0, slope = 0;
-      for (std::size_t i = q.size(); i-- > 0;) {
-        slope = slope * t + value;
-        value = value * t + q[i];
-      }
+      const auto [value, slope] = value_and_slope(q, t);
       if (value == Real(0)) return t;
       (value > 0 ? left : right) = t;
-      Real next = t - value / slope;
-      if (!(next > left && next < right)) next = (left + right) / 2;
-      if (next == t || next == left || next == right) return next;
-      t = next;
+      const Real next = t - value / slope, change = next - t;
+      // The change after this one is about change^2; a bracket's end is as good as the root when it is this close.
+      if (change * change < Real(negligible) * t * t) return next > left && next < right ? next : t;
+      t = next > left && next < right ? next : Real((left + right) / 2);
+      if (t == left || t == right) return t;
     }
     return t;
   }
 
+  struct ValueAndSlope {
+    Real value, slope;
+  };
+  /// Horner's rule for the even and the odd part in t^2, which run side by side.
+  static ValueAndSlope value_and_slope(const Coefficients& q, const Real& t) {
+    const Real t2 = t * t;
+    Real even = 0, odd = 0, even_slope = 0, odd_slope = 0;  // slopes with respect to t^2
+    for (std::size_t i = Order / 2 + 1; i-- > 0;) {
+      even_slope = even_slope * t2 + even;
+      odd_slope = odd_slope * t2 + odd;
+      even = even * t2 + q[2 * i];
+      odd = odd * t2 + (2 * i + 1 <= Order ? q[2 * i + 1] : Real(0));
+    }
+    return {even + t * odd, odd + 2 * t * (even_slope + t * odd_slope)};
+  }
+
   static constexpr int max_depth = 60;
+  static constexpr double negligible = 1e-4 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 };
 
 }  // namespace sigmasweep
