@@ -37,17 +37,21 @@ class BinaryContact {
     return (pi() - phase) / omega_;
   }
 
-  State at(const State& start, const Real& t) const {
+  /// The linear map that takes (x, u) to (x, u) a given time later.
+  struct Map {
+    Real xx, xu, ux, uu;
+    State operator()(const State& s) const { return {xx * s.x + xu * s.u, ux * s.x + uu * s.u}; }
+  };
+  Map after(const Real& t) const {
     using std::cos, std::exp, std::sin;
-    const Real decay = exp(-mu_ * t), s = sin(omega_ * t), c = cos(omega_ * t);
-    const Real b = (start.u + mu_ * start.x) / omega_;
-    return {decay * (start.x * c + b * s), decay * (start.u * c - (mu_ * start.u + omega0_2_ * start.x) / omega_ * s)};
+    const Real decay = exp(-mu_ * t), s = decay * sin(omega_ * t), c = decay * cos(omega_ * t);
+    const Real r = mu_ / omega_ * s;
+    return {c + r, s / omega_, -omega0_2_ / omega_ * s, c - r};
   }
-
-  /// The state when x has returned to 0.
-  State end(const State& start) const {
-    if (start.x == Real(0)) return {Real(0), -restitution_ * start.u};
-    return {Real(0), at(start, time_left(start)).u};
+  /// The map over time_left(start); a fresh start (x = 0) needs no functions.
+  Map until_end(const State& start) const {
+    if (start.x == Real(0)) return {-restitution_, Real(0), Real(0), -restitution_};
+    return after(time_left(start));
   }
 
   /// Largest overlap from here on.
@@ -55,7 +59,7 @@ class BinaryContact {
     using std::atan2;
     if (start.x == Real(0)) return deepest_ * start.u;
     if (!(start.u > 0)) return start.x;
-    return at(start, atan2(omega_ * start.u, mu_ * start.u + omega0_2_ * start.x) / omega_).x;
+    return after(atan2(omega_ * start.u, mu_ * start.u + omega0_2_ * start.x) / omega_)(start).x;
   }
 
   /// What the contact force has done to a neighbouring gap when this contact went from `start` to `now` in time t:

@@ -4,27 +4,37 @@
 
 namespace sigmasweep {
 
-template <class Real>
-ExactColumn<Real>::ExactColumn(const Column<Real>& column, const ExactOptions& options)
+template <class Real, int Disturbances>
+ExactColumn<Real, Disturbances>::ExactColumn(const Column<Real>& column, const ExactOptions& options)
     : column_(column),
       options_(options),
       N_(std::size_t(column.N)),
       wall_(column.K_wall, column.C_wall, inertia(0)),
       pair_(column.K, column.C, inertia(1)),
       steps_(column),
-      x_(N_, -column.gap),
-      u_(N_, Real(0)),
+      x_(motion_[0].x),
+      u_(motion_[0].u),
       at_(N_, Real(0)),
       closed_(N_, 0),
       group_of_(N_, none),
       events_(N_) {
   if (options_.event_limit == 0) options_.event_limit = 100'000 + 50 * N_ * N_;
+  for (Motion& motion : motion_) {
+    motion.x.assign(N_, Real(0));
+    motion.u.assign(N_, Real(0));
+  }
+  x_.assign(N_, -column.gap);
   u_[0] = column.speed;
+  // sigma is a rounded number too. (The wall's gap only shifts the clock.)
+  for (int m = 1; m < motions; ++m) {
+    const Real change = Real(noise_.next()) * std::numeric_limits<Real>::epsilon() * column.gap;
+    std::fill(motion_[m].x.begin() + 1, motion_[m].x.end(), change);
+  }
 }
 
 /// The clock starts at the first contact with the wall, after a flight of gap/speed in which nothing else happens.
-template <class Real>
-Outcome<Real> ExactColumn<Real>::run() {
+template <class Real, int Disturbances>
+Outcome<Real> ExactColumn<Real, Disturbances>::run() {
   Outcome<Real> outcome;
   if (column_.gap == Real(0)) {
     closed_.assign(N_, 1);
@@ -34,7 +44,7 @@ Outcome<Real> ExactColumn<Real>::run() {
     closed_[0] = 1;
     closed_count_ = 1;
   }
-  regroup(0, N_ - 1, Real(0));
+  regroup({0, N_ - 1}, Real(0));
 
   const std::uint64_t step_limit = 8 * options_.event_limit;
   for (std::uint64_t step = 0;; ++step) {
@@ -57,22 +67,24 @@ Outcome<Real> ExactColumn<Real>::run() {
       break;
     }
   }
-  outcome.velocity = velocities();
+  outcome.velocity = velocities(0);
   outcome.t_k = wall_opened_;
   outcome.x_max = x_max_;
   outcome.contacts = contacts_;
   return outcome;
 }
 
-template <class Real>
-void ExactColumn<Real>::close_gap(std::size_t k, const Real& t) {
-  synchronise(k, t);
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::close_gap(std::size_t k, const Real& t) {
+  Range range = release(k, t);
+  if (k > 0) range.lo = release(k - 1, t).lo;
+  if (k + 1 < N_) range.hi = release(k + 1, t).hi;
   change_contact(k, t);
-  regroup(k, k, t);
+  regroup(range, t);
 }
 
-template <class Real>
-void ExactColumn<Real>::finish_step(int id) {
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::finish_step(int id) {
   Group& group = *groups_[std::size_t(id)];
   const Real t = group.start + group.length;
   move_group(group, group.length, true);
@@ -82,14 +94,22 @@ void ExactColumn<Real>::finish_step(int id) {
     return;
   }
   change_contact(group.contact, t);
-  const std::size_t lo = group.lo, hi = group.hi;
+  const Range range{group.lo, group.hi};
   dissolve(id, t);
-  regroup(lo, hi, t);
+  regroup(range, t);
 }
 
-/// An open contact closes or a closed one opens, at overlap exactly 0.
-template <class Real>
-void ExactColumn<Real>::change_contact(std::size_t k, const Real& t) {
+/// An open contact closes or a closed one opens, at overlap exactly 0. A disturbed column does so earlier or later by
+/// -dx_k/u_k, and for so long feels, or lacks, the force C u_k: its rates jump by what that does.
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::change_contact(std::size_t k, const Real& t) {
+  for (int m = 1; m < motions; ++m) {
+    auto& u = motion_[m].u;
+    const Real impulse = closed_[k] ? Real(-C(k) * motion_[m].x[k]) : Real(C(k) * motion_[m].x[k]);
+    u[k] -= inertia(k) * impulse;
+    if (k > 0) u[k - 1] += impulse;
+    if (k + 1 < N_) u[k + 1] += impulse;
+  }
   x_[k] = Real(0);
   closed_[k] = !closed_[k];
   if (closed_[k]) {
@@ -101,48 +121,86 @@ void ExactColumn<Real>::change_contact(std::size_t k, const Real& t) {
   if (k == 0) wall_opened_ = t;
 }
 
-/// Brings a gap between two free beads up to time t.
-template <class Real>
-void ExactColumn<Real>::synchronise(std::size_t k, const Real& t) {
-  x_[k] += u_[k] * (t - at_[k]);
-  at_[k] = t;
+/// Brings contact k up to time t and out of its group, if it is in one. Returns what has been released with it.
+template <class Real, int Disturbances>
+auto ExactColumn<Real, Disturbances>::release(std::size_t k, const Real& t) -> Range {
+  if (const int id = group_of_[k]; id != none) {
+    const Range range{groups_[std::size_t(id)]->lo, groups_[std::size_t(id)]->hi};
+    dissolve(id, t);
+    return range;
+  }
+  const Real elapsed = t - at_[k];
+  if (elapsed != Real(0)) {
+    for (Motion& motion : motion_) motion.x[k] += motion.u[k] * elapsed;
+    for (int m = 1; m < motions; ++m)  // the clock's own rounding
+      motion_[m].x[k] += Real(noise_.next()) * std::numeric_limits<Real>::epsilon() * u_[k] * t;
+    at_[k] = t;
+  }
+  return {k, k};
 }
 
 /// x and u of the group's contacts at `elapsed` after the start of its step.
-template <class Real>
-void ExactColumn<Real>::move_group(Group& group, const Real& elapsed, bool whole_step) {
-  if (!group.binary) {
-    const std::size_t n = group.hi - group.lo + 1;
-    const Real s = whole_step ? group.scaled : Real(elapsed / group.taylor.step());
-    const auto x = std::span(x_).subspan(group.lo, n), u = std::span(u_).subspan(group.lo, n);
-    group.taylor.evaluate(s, x, u);
-    // An overlap that grew at first and shrinks now was largest in between; as x is concave there it lies below both
-    // tangents.
-    for (std::size_t i = 0; i < n; ++i) {
-      const State before = group.taylor.start(i);
-      if (!closed_[group.lo + i] || !(before.u > 0) || !(u[i] < 0)) continue;
-      if (std::min(before.x + before.u * elapsed, x[i] - u[i] * elapsed) > x_max_)
-        x_max_ = std::max(x_max_, group.taylor.deepest(i, s));
-    }
-    return;
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::move_group(Group& group, const Real& elapsed, bool whole_step) {
+  if (group.binary)
+    move_binary(group, elapsed, whole_step);
+  else
+    move_taylor(group, elapsed, whole_step);
+}
+
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::move_taylor(Group& group, const Real& elapsed, bool whole_step) {
+  const std::size_t n = group.hi - group.lo + 1;
+  const Real s = whole_step ? group.scaled : Real(elapsed / group.longest);
+  for (int m = 0; m < motions; ++m)
+    group.taylor.evaluate(m, s, std::span(motion_[m].x).subspan(group.lo, n),
+                          std::span(motion_[m].u).subspan(group.lo, n));
+  if (Disturbances > 0 && s > 0)
+    for (std::size_t i = 0; i < n; ++i) disturb(group.lo + i, group.taylor.magnitude_of(i, s));
+  // An overlap that grew at first and shrinks now was largest in between; as x is concave there it lies below both
+  // tangents.
+  for (std::size_t i = 0; i < n; ++i) {
+    const State before = group.taylor.start(i), now = state(group.lo + i);
+    if (!closed_[group.lo + i] || !(before.u > 0) || !(now.u < 0)) continue;
+    if (std::min(before.x + before.u * elapsed, now.x - now.u * elapsed) > x_max_)
+      x_max_ = std::max(x_max_, group.taylor.deepest(i, s));
   }
+}
+
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::move_binary(Group& group, const Real& elapsed, bool whole_step) {
   const std::size_t k = group.contact;
   const auto& contact = binary(k);
-  const State now = whole_step ? contact.end(group.entry) : contact.at(group.entry, elapsed);
-  const State push = contact.push(group.entry, now, elapsed);
-  for (std::size_t gap = group.lo; gap <= group.hi; ++gap) {
-    if (gap == k) continue;
-    x_[gap] += u_[gap] * elapsed + push.x;
-    u_[gap] += push.u;
+  const State entry = state(k);
+  if (const Real deepest = contact.deepest(entry); deepest > x_max_) x_max_ = deepest;
+  const auto map = whole_step ? contact.until_end(entry) : contact.after(elapsed);
+  for (Motion& motion : motion_) {
+    const State before{motion.x[k], motion.u[k]}, now = map(before);
+    const State push = contact.push(before, now, elapsed);
+    for (std::size_t gap = group.lo; gap <= group.hi; ++gap) {
+      if (gap == k) continue;
+      motion.x[gap] += motion.u[gap] * elapsed + push.x;
+      motion.u[gap] += push.u;
+    }
+    motion.x[k] = now.x;
+    motion.u[k] = now.u;
   }
-  if (const Real deepest = contact.deepest(group.entry); deepest > x_max_) x_max_ = deepest;
-  x_[k] = now.x;
-  u_[k] = now.u;
+  for (std::size_t i = group.lo; i <= group.hi; ++i) disturb(i, state(i));
+}
+
+/// A rounding error of the state of contact i, whose parts are of the given magnitude.
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::disturb(std::size_t i, const State& magnitude) {
+  const Real rounding = std::numeric_limits<Real>::epsilon();
+  for (int m = 1; m < motions; ++m) {
+    motion_[m].x[i] += Real(noise_.next()) * rounding * magnitude.x;
+    motion_[m].u[i] += Real(noise_.next()) * rounding * magnitude.u;
+  }
 }
 
 /// Ends a group; if its step is not over yet, at a time t within it.
-template <class Real>
-void ExactColumn<Real>::dissolve(int id, const Real& t) {
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::dissolve(int id, const Real& t) {
   Group& group = *groups_[std::size_t(id)];
   if (group.start != t) move_group(group, std::min(std::max(Real(t - group.start), Real(0)), group.length), false);
   for (std::size_t k = group.lo; k <= group.hi; ++k) {
@@ -153,39 +211,26 @@ void ExactColumn<Real>::dissolve(int id, const Real& t) {
   idle_.push_back(id);
 }
 
-/// Sorts contacts lo..hi, all of them free of groups and at time t, into groups and free gaps, taking in neighbours
-/// that a closed contact at the border touches.
-template <class Real>
-void ExactColumn<Real>::regroup(std::size_t lo, std::size_t hi, const Real& t) {
-  const auto take = [&](std::size_t k) {  // returns what to extend the range by
-    const int id = group_of_[k];
-    if (id == none) {
-      synchronise(k, t);
-      return std::pair(k, k);
-    }
-    const std::pair range(groups_[std::size_t(id)]->lo, groups_[std::size_t(id)]->hi);
-    dissolve(id, t);
-    return range;
-  };
-  while (closed_[lo] && lo > 0) lo = take(lo - 1).first;
-  while (closed_[hi] && hi + 1 < N_) hi = take(hi + 1).second;
-
-  std::size_t k = lo;
-  while (k <= hi) {
-    if (!closed_[k] && !(k < hi && closed_[k + 1])) {
+/// Sorts the contacts of `range`, all of them free of groups and at time t, into groups and free gaps, taking in
+/// neighbours that a closed contact at the border touches.
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::regroup(Range range, const Real& t) {
+  while (closed_[range.lo] && range.lo > 0) range.lo = release(range.lo - 1, t).lo;
+  while (closed_[range.hi] && range.hi + 1 < N_) range.hi = release(range.hi + 1, t).hi;
+  for (std::size_t k = range.lo; k <= range.hi; ++k) {
+    if (!closed_[k] && !(k < range.hi && closed_[k + 1])) {
       schedule_gap(k);
-      ++k;
       continue;
     }
     std::size_t end = k;  // the group's last contact: an open one with no closed one after it, or the border
-    while (end < hi && (closed_[end] || closed_[end + 1])) ++end;
-    make_group(k, end, t);
-    k = end + 1;
+    while (end < range.hi && (closed_[end] || closed_[end + 1])) ++end;
+    make_group({k, end}, t);
+    k = end;
   }
 }
 
-template <class Real>
-void ExactColumn<Real>::make_group(std::size_t lo, std::size_t hi, const Real& t) {
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::make_group(Range range, const Real& t) {
   if (idle_.empty()) {
     idle_.push_back(int(groups_.size()));
     groups_.push_back(std::make_unique<Group>());
@@ -193,25 +238,21 @@ void ExactColumn<Real>::make_group(std::size_t lo, std::size_t hi, const Real& t
   const int id = idle_.back();
   idle_.pop_back();
   Group& group = *groups_[std::size_t(id)];
-  group.lo = lo;
-  group.hi = hi;
+  group.lo = range.lo;
+  group.hi = range.hi;
   group.start = t;
   group.prepared = false;
-  for (std::size_t k = lo; k <= hi; ++k) {
+  for (std::size_t k = range.lo; k <= range.hi; ++k) {
     group_of_[k] = id;
-    if (k != lo) events_.remove(k);
+    if (k != range.lo) events_.remove(k);
   }
   begin_step(id);
 }
 
-template <class Real>
-void ExactColumn<Real>::begin_step(int id) {
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::begin_step(int id) {
   Group& group = *groups_[std::size_t(id)];
   for (std::size_t k = group.lo; k <= group.hi; ++k) {
-    if (options_.perturbation > 0) {
-      x_[k] = disturbed(x_[k]);
-      u_[k] = disturbed(u_[k]);
-    }
     // Rounding may leave a contact on the wrong side of 0.
     if (closed_[k] ? x_[k] < 0 : x_[k] > 0) x_[k] = Real(0);
   }
@@ -222,14 +263,14 @@ void ExactColumn<Real>::begin_step(int id) {
 
 /// A lone closed contact that nothing can disturb before it opens is followed to its end in one closed formula. As
 /// x >= 0, each neighbouring gap stays below x_gap + u_gap t + push_bound(t), which is linear in t.
-template <class Real>
-bool ExactColumn<Real>::begin_binary(Group& group) {
+template <class Real, int Disturbances>
+bool ExactColumn<Real, Disturbances>::begin_binary(Group& group) {
   if (group.hi - group.lo > 2) return false;
   std::size_t k = group.lo;
   while (!closed_[k]) ++k;
   if (group.lo + 1 < k || k + 1 < group.hi) return false;
   const auto& contact = binary(k);
-  const State entry{x_[k], u_[k]};
+  const State entry = state(k);
   if (!contact.oscillates() || (entry.x == Real(0) && !(entry.u > 0))) return false;
   const Real duration = contact.time_left(entry);
   for (std::size_t gap = group.lo; gap <= group.hi; ++gap) {
@@ -239,15 +280,14 @@ bool ExactColumn<Real>::begin_binary(Group& group) {
     const Real at_end = x_[gap] + u_[gap] * duration + contact.push_bound(entry, duration);
     if (at_start > 0 || !(at_end < 0)) return false;
   }
-  group.entry = entry;
   group.length = duration;
   group.contact = k;
   group.event = true;
   return true;
 }
 
-template <class Real>
-void ExactColumn<Real>::begin_taylor(Group& group) {
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::begin_taylor(Group& group) {
   const std::size_t n = group.hi - group.lo + 1;
   auto& taylor = group.taylor;
   if (!group.prepared) {
@@ -260,7 +300,9 @@ void ExactColumn<Real>::begin_taylor(Group& group) {
     group.prepared = true;
   }
   const Real h = group.longest;
-  taylor.expand(std::span(x_).subspan(group.lo, n), std::span(u_).subspan(group.lo, n), h);
+  for (int m = 0; m < motions; ++m)
+    taylor.start(m, std::span(motion_[m].x).subspan(group.lo, n), std::span(motion_[m].u).subspan(group.lo, n), h);
+  taylor.expand(h);
   const auto crossing = taylor.first_crossing();
   group.event = crossing.has_value();
   group.scaled = crossing ? crossing->when : Real(1);
@@ -269,8 +311,8 @@ void ExactColumn<Real>::begin_taylor(Group& group) {
 }
 
 /// The shortest of what the group's chains of closed contacts allow.
-template <class Real>
-Real ExactColumn<Real>::longest_step(const Group& group) const {
+template <class Real, int Disturbances>
+Real ExactColumn<Real, Disturbances>::longest_step(const Group& group) const {
   Real h = steps_.unconnected();
   for (std::size_t k = group.lo; k <= group.hi; ++k) {
     const std::size_t first = k;
@@ -280,51 +322,53 @@ Real ExactColumn<Real>::longest_step(const Group& group) const {
   return h;
 }
 
-template <class Real>
-void ExactColumn<Real>::schedule_gap(std::size_t k) {
+template <class Real, int Disturbances>
+void ExactColumn<Real, Disturbances>::schedule_gap(std::size_t k) {
   if (u_[k] > 0)
     events_.set(k, at_[k] + std::max(Real(-x_[k]), Real(0)) / u_[k]);
   else
     events_.remove(k);
 }
 
-/// value (1 + perturbation r), r uniform in +-1 roundings; splitmix64, so that every run draws the same numbers.
-template <class Real>
-Real ExactColumn<Real>::disturbed(const Real& value) {
-  std::uint64_t z = (noise_ += 0x9e3779b97f4a7c15u);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  const double r = double(std::int64_t(z ^ (z >> 31))) * 0x1p-63;
-  return value * (1 + Real(options_.perturbation * r) * std::numeric_limits<Real>::epsilon());
-}
-
-template <class Real>
-bool ExactColumn<Real>::settled() {
+template <class Real, int Disturbances>
+bool ExactColumn<Real, Disturbances>::settled() {
   if (options_.settle <= 0 || contacts_ < checked_at_ + (N_ + 1) / 2) return false;
   checked_at_ = contacts_;
-  const std::vector<Real> v = velocities();
+  const std::vector<Real> v = velocities(0);
   return residual_dissipation<Real>(v, column_.speed) < Real(options_.settle);
 }
 
 /// v_i from the rates: u_0 = -v_1 at the wall, u_k = v_{k-1} - v_k between beads.
-template <class Real>
-std::vector<Real> ExactColumn<Real>::velocities() const {
+template <class Real, int Disturbances>
+std::vector<Real> ExactColumn<Real, Disturbances>::velocities(int motion) const {
   std::vector<Real> v(N_);
   Real sum = 0;
-  for (std::size_t k = 0; k < N_; ++k) v[k] = sum -= u_[k];
+  for (std::size_t k = 0; k < N_; ++k) v[k] = sum -= motion_[std::size_t(motion)].u[k];
   return v;
 }
 
-template class ExactColumn<double>;
-template class ExactColumn<long double>;
-template class ExactColumn<Quad>;
-
-template <class Real>
-Outcome<Real> exact_collision(const Column<Real>& column, const ExactOptions& options) {
-  return ExactColumn<Real>(column, options).run();
+/// eps_eff = |v|/(sqrt N speed), so that its change is v.dv/(|v| sqrt N speed).
+template <class Real, int Disturbances>
+std::array<Real, Disturbances> ExactColumn<Real, Disturbances>::eps_eff_disturbed() const {
+  using std::sqrt;
+  const std::vector<Real> v = velocities(0);
+  Real v2 = 0;
+  for (const Real& vi : v) v2 += vi * vi;
+  std::array<Real, Disturbances> change{};
+  for (int m = 1; m < motions; ++m) {
+    const std::vector<Real> dv = velocities(m);
+    Real v_dv = 0;
+    for (std::size_t i = 0; i < N_; ++i) v_dv += v[i] * dv[i];
+    change[std::size_t(m - 1)] = v2 > 0 ? Real(v_dv / (sqrt(v2) * sqrt(Real(double(N_))) * column_.speed)) : Real(0);
+  }
+  return change;
 }
-template Outcome<double> exact_collision(const Column<double>&, const ExactOptions&);
-template Outcome<long double> exact_collision(const Column<long double>&, const ExactOptions&);
-template Outcome<Quad> exact_collision(const Column<Quad>&, const ExactOptions&);
+
+template class ExactColumn<double, 0>;
+template class ExactColumn<double, 1>;
+template class ExactColumn<long double, 0>;
+template class ExactColumn<long double, 1>;
+template class ExactColumn<Quad, 0>;
+template class ExactColumn<Quad, 1>;
 
 }  // namespace sigmasweep

@@ -23,17 +23,19 @@ class FirstRoot {
  public:
   using Coefficients = std::array<Real, terms>;
 
-  /// Smallest t in [0, 1] at which p(t) = sum p_i t^i goes from positive to negative. p is known to be not negative
+  /// Smallest t in [0, limit] at which p(t) = sum p_i t^i goes from positive to negative. p is known to be not negative
   /// just before 0; where p_0 = 0 the sign of the first coefficient that is not zero decides, and 0 is returned when
   /// p leaves downwards at once.
-  static std::optional<Real> find(const Coefficients& p) {
+  static std::optional<Real> find(const Coefficients& p, const Real& limit) {
     std::size_t shift = 0;
     while (shift < terms && p[shift] == Real(0)) ++shift;
     if (shift == terms) return std::nullopt;
     if (p[shift] < 0) return Real(0);
-    Coefficients q{};  // p/t^shift
-    std::copy(p.begin() + std::ptrdiff_t(shift), p.end(), q.begin());
-    return search(q, to_bernstein()(q), Real(0), Real(1), 0);
+    Coefficients q{};  // p(limit t)/t^shift
+    Real scale = 1;
+    for (std::size_t i = 0; i + shift < terms; ++i, scale *= limit) q[i] = scale * p[i + shift];
+    if (auto root = search(q, to_bernstein()(q), Real(0), Real(1), 0)) return *root * limit;
+    return std::nullopt;
   }
 
  private:
@@ -124,14 +126,18 @@ class FirstRoot {
   /// Newton's method from t, kept inside a bracket with q(left) > 0 > q(right).
   static Real refine(const Coefficients& q, Real left, Real right, Real t) {
     if (!(t > left && t < right)) t = (left + right) / 2;
+    Real previous = 0;  // the last change, if that was a Newton step
     for (int iteration = 0; iteration < 200; ++iteration) {
       const auto [value, slope] = value_and_slope(q, t);
       if (value == Real(0)) return t;
       (value > 0 ? left : right) = t;
       const Real next = t - value / slope, change = next - t;
-      // The change after this one is about change^2; a bracket's end is as good as the root when it is this close.
-      if (change * change < Real(negligible) * t * t) return next > left && next < right ? next : t;
-      t = next > left && next < right ? next : Real((left + right) / 2);
+      const bool inside = next > left && next < right;
+      // Convergence is quadratic: after changes c' and c the next one is about c (c/c')^2.
+      const Real to_come = previous == Real(0) ? change : Real(change * (change / previous) * (change / previous));
+      if (magnitude(to_come) < Real(rounding) * t || magnitude(change) < Real(rounding) * t) return inside ? next : t;
+      previous = inside ? change : Real(0);
+      t = inside ? next : Real((left + right) / 2);
       if (t == left || t == right) return t;
     }
     return t;
@@ -154,7 +160,8 @@ class FirstRoot {
   }
 
   static constexpr int max_depth = 60;
-  static constexpr double negligible = 1e-4 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+  static constexpr double rounding = static_cast<double>(std::numeric_limits<Real>::epsilon());
+  static Real magnitude(const Real& x) { return x < 0 ? Real(-x) : x; }
 };
 
 }  // namespace sigmasweep

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -26,7 +27,8 @@ inline constexpr double taylor_reach = 2.0;
 /// k is closed and 0 where it is open,
 ///     x_k'' = F_{k-1} - w_k F_k + F_{k+1},   w_k = 2 (1 for the wall contact, whose wall does not move),
 /// a linear system with constant coefficients: its Taylor series about the step's start is exact to rounding.
-template <class Real>
+/// Several motions (Motions: the column's own and linearised disturbances of it) go through the same maps side by side.
+template <class Real, int Motions>
 class TaylorGroup {
  public:
   static constexpr int order = TaylorOrder<Real>::value;
@@ -35,9 +37,9 @@ class TaylorGroup {
   void resize(std::size_t contacts) {
     contacts_ = contacts;
     blocks_ = (contacts + Block::count - 1) / Block::count;
-    a_.resize((order + 1) * blocks_);
+    a_.resize((order + 1) * Motions * blocks_);
     if (lowest_.size() < blocks_) lowest_.resize(blocks_);
-    if (force_.size() < blocks_ + 2) force_.resize(blocks_ + 2);
+    if (force_.size() < Motions * (blocks_ + 2)) force_.resize(Motions * (blocks_ + 2));
     for (auto* v : {&K_, &C_, &w_, &sign_}) v->assign(blocks_, Block());
   }
 
@@ -49,9 +51,8 @@ class TaylorGroup {
     at(sign_, i) = closed ? Real(1) : Real(-1);
   }
 
-  /// The series in t/h, t from a step's start with overlaps x and rates u: term p is x_k^(p) h^p/p!.
-  void expand(std::span<const Real> x, std::span<const Real> u, const Real& h) {
-    h_ = h;
+  /// Where a motion starts the step of at most h: overlaps x and rates u.
+  void start(int motion, std::span<const Real> x, std::span<const Real> u, const Real& h) {
     for (std::size_t b = 0; b < blocks_; ++b) {
       const std::size_t first = b * Block::count, count = std::min(Block::count, contacts_ - first);
       Block x0, u0;
@@ -59,13 +60,18 @@ class TaylorGroup {
         x0[i] = x[first + i];
         u0[i] = u[first + i];
       }
-      term(0, b) = x0;
-      term(1, b) = u0 * Block(h);
+      term(0, motion, b) = x0;
+      term(1, motion, b) = u0 * Block(h);
     }
+  }
+
+  /// The series in t/h, t from the step's start: term p is x_k^(p) h^p/p!.
+  void expand(const Real& h) {
+    h_ = h;
     if (blocks_ == 1)
-      expand_one();
+      expand_in_registers<1>();
     else if (blocks_ == 2)
-      expand_two();
+      expand_in_registers<2>();
     else
       expand_many();
   }
@@ -85,18 +91,19 @@ class TaylorGroup {
       for (int n = 0; n <= order; ++n) p[std::size_t(n)] = sign * coefficient(n, i);
       // A root that rounding put just before the step's start.
       if (p[0] < 0) p[0] = 0;
-      if (const auto when = FirstRoot<Real, order>::find(p); when && (!first || *when < first->when)) first = {*when, i};
+      if (const auto when = FirstRoot<Real, order>::find(p, first ? first->when : Real(1)); when) first = {*when, i};
+      if (first && first->when == Real(0)) break;
     }
     return first;
   }
 
   /// Overlaps and rates at t = s h.
-  void evaluate(const Real& s, std::span<Real> x, std::span<Real> u) const {
+  void evaluate(int motion, const Real& s, std::span<Real> x, std::span<Real> u) const {
     for (std::size_t b = 0; b < blocks_; ++b) {
       Block value, slope;
       for (int p = order; p >= 0; --p) {
         slope = slope * Block(s) + value;
-        value = value * Block(s) + term(p, b);
+        value = value * Block(s) + term(p, motion, b);
       }
       slope = slope * Block(1 / h_);
       const std::size_t first = b * Block::count, count = std::min(Block::count, contacts_ - first);
@@ -109,6 +116,14 @@ class TaylorGroup {
 
   /// Overlap and rate of contact i at the step's start.
   ContactState<Real> start(std::size_t i) const { return {coefficient(0, i), coefficient(1, i) / h_}; }
+
+  /// How large the leading terms of contact i's overlap and rate at t = s h are: what their rounding errors scale with.
+  ContactState<Real> magnitude_of(std::size_t i, const Real& s) const {
+    using std::abs;
+    const Real a0 = abs(coefficient(0, i)), a1 = abs(coefficient(1, i)) * s, a2 = abs(coefficient(2, i)) * s * s;
+    const Real a3 = abs(coefficient(3, i)) * s * s * s;
+    return {a0 + a1 + a2 + a3, (a1 + 2 * a2 + 3 * a3) / (s * h_)};
+  }
 
   /// The overlap of contact i where its rate changes sign within (0, s h).
   Real deepest(std::size_t i, const Real& s) const {
@@ -138,10 +153,12 @@ class TaylorGroup {
   using Blocks = std::vector<Block>;
   static constexpr int screen = 12;  ///< degree of the Bernstein polynomial that rules out most roots
 
-  Block& term(int p, std::size_t block) { return a_[std::size_t(p) * blocks_ + block]; }
-  const Block& term(int p, std::size_t block) const { return a_[std::size_t(p) * blocks_ + block]; }
+  Block& term(int p, int motion, std::size_t block) { return a_[std::size_t(p * Motions + motion) * blocks_ + block]; }
+  const Block& term(int p, int motion, std::size_t block) const {
+    return a_[std::size_t(p * Motions + motion) * blocks_ + block];
+  }
   static Real& at(Blocks& v, std::size_t i) { return v[i / Block::count][i % Block::count]; }
-  Real coefficient(int p, std::size_t i) const { return term(p, i / Block::count)[i % Block::count]; }
+  Real coefficient(int p, std::size_t i) const { return term(p, 0, i / Block::count)[i % Block::count]; }
 
   /// What takes the terms p and p + 1 to the force's term p times h^2/((p+1)(p+2)).
   struct Weights {
@@ -149,42 +166,48 @@ class TaylorGroup {
   };
   Weights weights(int p) const { return {h_ * h_ / Real((p + 1) * (p + 2)), h_ / Real(p + 2)}; }
 
-  // One and two blocks stay in registers.
-  void expand_one() {
-    const Block zero, K = K_[0], C = C_[0], w = w_[0];
-    Block a = term(0, 0), b = term(1, 0);
-    for (int p = 0; p + 2 <= order; ++p) {
-      const auto [spring, dashpot] = weights(p);
-      const Block f = (K * Block(spring)) * a + (C * Block(dashpot)) * b;
-      a = b;
-      b = shifted_up(zero, f) + shifted_down(f, zero) - w * f;
-      term(p + 2, 0) = b;
+  template <int InRegisters>
+  void expand_in_registers() {
+    constexpr int chains = Motions * InRegisters;  // chain c: motion c / InRegisters, block c % InRegisters
+    const Block zero;
+    std::array<Block, InRegisters> K, C, w;
+    std::array<Block, chains> a, b, f;
+    for (int r = 0; r < InRegisters; ++r) {
+      K[r] = K_[r];
+      C[r] = C_[r];
+      w[r] = w_[r];
     }
-  }
-  void expand_two() {
-    const Block zero, K0 = K_[0], C0 = C_[0], w0 = w_[0], K1 = K_[1], C1 = C_[1], w1 = w_[1];
-    Block a0 = term(0, 0), a1 = term(0, 1), b0 = term(1, 0), b1 = term(1, 1);
+    for (int c = 0; c < chains; ++c) {
+      a[c] = term(0, c / InRegisters, c % InRegisters);
+      b[c] = term(1, c / InRegisters, c % InRegisters);
+    }
     for (int p = 0; p + 2 <= order; ++p) {
       const auto [spring, dashpot] = weights(p);
-      const Block f0 = (K0 * Block(spring)) * a0 + (C0 * Block(dashpot)) * b0;
-      const Block f1 = (K1 * Block(spring)) * a1 + (C1 * Block(dashpot)) * b1;
-      a0 = b0;
-      a1 = b1;
-      b0 = shifted_up(zero, f0) + shifted_down(f0, f1) - w0 * f0;
-      b1 = shifted_up(f0, f1) + shifted_down(f1, zero) - w1 * f1;
-      term(p + 2, 0) = b0;
-      term(p + 2, 1) = b1;
+#pragma GCC unroll 8
+      for (int c = 0; c < chains; ++c)
+        f[c] = (K[c % InRegisters] * Block(spring)) * a[c] + (C[c % InRegisters] * Block(dashpot)) * b[c];
+#pragma GCC unroll 8
+      for (int c = 0; c < chains; ++c) {
+        const int r = c % InRegisters;
+        a[c] = b[c];
+        b[c] = shifted_up(r > 0 ? f[c - (r > 0)] : zero, f[c]) +
+               shifted_down(f[c], r + 1 < InRegisters ? f[c + (r + 1 < InRegisters)] : zero) - w[r] * f[c];
+        term(p + 2, c / InRegisters, r) = b[c];
+      }
     }
   }
   void expand_many() {
-    force_[0] = force_[blocks_ + 1] = Block();
+    const std::size_t stride = blocks_ + 2;
+    for (int m = 0; m < Motions; ++m) force_[m * stride] = force_[m * stride + blocks_ + 1] = Block();
     for (int p = 0; p + 2 <= order; ++p) {
       const auto [spring, dashpot] = weights(p);
-      for (std::size_t b = 0; b < blocks_; ++b)
-        force_[b + 1] = (K_[b] * Block(spring)) * term(p, b) + (C_[b] * Block(dashpot)) * term(p + 1, b);
-      for (std::size_t b = 0; b < blocks_; ++b)
-        term(p + 2, b) =
-            shifted_up(force_[b], force_[b + 1]) + shifted_down(force_[b + 1], force_[b + 2]) - w_[b] * force_[b + 1];
+      for (int m = 0; m < Motions; ++m) {
+        Block* const f = force_.data() + m * stride + 1;
+        for (std::size_t b = 0; b < blocks_; ++b)
+          f[b] = (K_[b] * Block(spring)) * term(p, m, b) + (C_[b] * Block(dashpot)) * term(p + 1, m, b);
+        for (std::size_t b = 0; b < blocks_; ++b)
+          term(p + 2, m, b) = shifted_up(f[b - 1], f[b]) + shifted_down(f[b], f[b + 1]) - w_[b] * f[b];
+      }
     }
   }
 
@@ -201,12 +224,12 @@ class TaylorGroup {
       return w;
     }();
     Block rest;
-    for (int p = screen + 1; p <= order; ++p) rest = rest + magnitude(term(p, block));
-    const Block start = term(0, block), sign = sign_[block];
+    for (int p = screen + 1; p <= order; ++p) rest = rest + magnitude(term(p, 0, block));
+    const Block start = term(0, 0, block), sign = sign_[block];
     std::array<Block, screen + 1> b;
 #pragma GCC unroll 16
     for (int p = 0; p <= screen; ++p)
-      b[std::size_t(p)] = (sign * Block(weight[std::size_t(p)])) * where_zero(start, term(p + 1, block), term(p, block));
+      b[std::size_t(p)] = (sign * Block(weight[std::size_t(p)])) * where_zero(start, term(p + 1, 0, block), term(p, 0, block));
 #pragma GCC unroll 16
     for (std::size_t level = 1; level <= screen; ++level)
 #pragma GCC unroll 16

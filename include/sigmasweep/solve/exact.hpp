@@ -12,8 +12,6 @@ namespace sigmasweep {
 
 struct ExactOptions {
   double settle = 1e-13;          ///< stop once later collisions can change eps_eff by less than this; 0: never
-  double perturbation = 0.0;      ///< relative disturbance of the state, in units of rounding, at every step: the twin
-                                  ///< run that shows how much of the rounding error survives
   std::uint64_t event_limit = 0;  ///< contact events before giving up; 0: 100,000 + 50 N^2
 };
 

@@ -1,0 +1,30 @@
+#include "sigmasweep/scene/names.hpp"
+
+namespace sigmasweep {
+namespace {
+
+using std::string_view;
+
+constexpr std::array<string_view, 2> method_names{"md", "ed"};
+constexpr std::array<string_view, 2> wall_names{"paper", "matched"};
+constexpr std::array<string_view, 4> integrator_names{"exact", "gear5", "verlet", "rk4"};
+constexpr std::array<string_view, 3> end_names{"none", "separated", "settled"};
+constexpr std::array<string_view, 9> status_names{"ok",          "collapsed",  "tolerance_missed", "unstable", "event_limit",
+                                                  "time_limit",  "non_finite", "failed",           "not_run"};
+
+// One name an enumerator: a new enumerator without a name does not compile.
+static_assert(method_names.size() == static_cast<std::size_t>(Method::ed) + 1);
+static_assert(wall_names.size() == static_cast<std::size_t>(Wall::matched) + 1);
+static_assert(integrator_names.size() == static_cast<std::size_t>(Integrator::rk4) + 1);
+static_assert(end_names.size() == static_cast<std::size_t>(End::settled) + 1);
+static_assert(status_names.size() == static_cast<std::size_t>(Status::not_run) + 1);
+
+}  // namespace
+
+template <> std::span<const string_view> names_of<Method>() { return method_names; }
+template <> std::span<const string_view> names_of<Wall>() { return wall_names; }
+template <> std::span<const string_view> names_of<Integrator>() { return integrator_names; }
+template <> std::span<const string_view> names_of<End>() { return end_names; }
+template <> std::span<const string_view> names_of<Status>() { return status_names; }
+
+}  // namespace sigmasweep
