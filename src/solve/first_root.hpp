@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -32,8 +34,8 @@ class FirstRoot {
     if (shift == terms) return std::nullopt;
     if (p[shift] < 0) return Real(0);
     Coefficients q{};  // p(limit t)/t^shift
-    Real scale = 1;
-    for (std::size_t i = 0; i + shift < terms; ++i, scale *= limit) q[i] = scale * p[i + shift];
+    std::copy(p.begin() + std::ptrdiff_t(shift), p.end(), q.begin());
+    if (limit != Real(1)) rescale(q, limit);
     if (auto root = search(q, to_bernstein()(q), Real(0), Real(1), 0)) return *root * limit;
     return std::nullopt;
   }
@@ -70,6 +72,18 @@ class FirstRoot {
     std::array<std::array<Block, blocks>, terms> column_;
   };
 
+  /// q(t) -> q(scale t), in blocks so that the powers do not wait for each other.
+  static void rescale(Coefficients& q, const Real& scale) {
+    constexpr std::size_t block = 5;
+    std::array<Real, block> power;
+    power[0] = Real(1);
+    for (std::size_t i = 1; i < block; ++i) power[i] = power[i - 1] * scale;
+    const Real stride = power[block - 1] * scale;
+    Real base = 1;
+    for (std::size_t first = 0; first < terms; first += block, base *= stride)
+      for (std::size_t i = 0; i < block && first + i < terms; ++i) q[first + i] *= base * power[i];
+  }
+
   /// b_j = sum_{i <= j} C(j,i)/C(n,i) q_i.
   static const Triangle& to_bernstein() {
     static const Triangle map([](std::size_t j, std::size_t i) { return binomial(j, i) / binomial(Order, i); });
@@ -98,18 +112,13 @@ class FirstRoot {
 
   static std::optional<Real> search(const Coefficients& q, const Coefficients& b, const Real& left, const Real& right,
                                     int depth) {
-    int changes = 0;
-    std::size_t last_positive = 0;
-    bool negative = false;  // q starts positive
-    for (std::size_t i = 0; i < terms; ++i) {
-      if (b[i] != Real(0) && (b[i] < 0) != negative) {
-        negative = !negative;
-        ++changes;
-      }
-      if (!negative) last_positive = i;
-    }
-    if (changes == 0) return std::nullopt;
+    std::uint64_t negative = 0;  // bit i: b_i < 0; a zero counts as positive, which can only add sign changes
+    for (std::size_t i = 0; i < terms; ++i) negative |= std::uint64_t(b[i] < 0) << i;
+    if (negative == 0) return std::nullopt;
+    const std::uint64_t all = (std::uint64_t(1) << terms) - 1;
+    const int changes = std::popcount((negative ^ (negative << 1)) & all);  // q starts positive
     if (changes == 1) {
+      const std::size_t last_positive = std::size_t(std::countr_zero(negative)) - 1;
       // Where the control polygon crosses zero is close to the root.
       const Real above = b[last_positive], below = b[last_positive + 1];
       const Real crossing = (Real(double(last_positive)) + above / (above - below)) / Real(Order);

@@ -71,7 +71,7 @@ class HardSphereColumn {
       outcome_.end = End::separated;
       return;
     }
-    if (is_settled(state_[k].u)) {
+    if (is_settled(k)) {
       outcome_.end = End::settled;
       return;
     }
@@ -81,13 +81,16 @@ class HardSphereColumn {
 
   bool same_as_now(double time) const { return time - now_ <= same_time * now_; }
 
-  /// A pair of closing speed u can dissipate at least u^2/4 of the energy, so there is no need to look before that is
-  /// small; and then not at every collision.
-  bool is_settled(double u) {
-    if (u > settled_below_ || outcome_.contacts < next_look_) return false;
+  /// Contact k, the next to collide, can dissipate at least u^2/4 of the energy, so there is no need to look before that
+  /// is small; and then not at every collision. A contact in a series of ever faster collisions is left to it.
+  bool is_settled(std::size_t k) {
+    const Contact& contact = state_[k];
+    if (contact.u > settled_below_ || outcome_.contacts < next_look_ || is_again(contact, due_.time_of(k))) return false;
     next_look_ = outcome_.contacts + contacts_;
     return residual_dissipation<double>(velocities(), 1.0) < options_.settle;
   }
+
+  static bool is_again(const Contact& contact, double time) { return time - contact.last <= again * time; }
 
   void touch(std::size_t k) {
     state_[k].gap = 0.0;
@@ -99,8 +102,8 @@ class HardSphereColumn {
   /// The touching contact that approaches fastest: a collision, or the last of infinitely many.
   void meet(std::size_t k) {
     const Contact& contact = state_[k];
-    const bool collapsed = contact.u < collapsed_speed && now_ - contact.last <= again * now_;
-    if (collapsed || outcome_.contacts >= next_try_) {
+    const bool collapsed = contact.u < collapsed_speed && is_again(contact, now_);
+    if (collapsed || (options_.foresee_collapse && outcome_.contacts >= next_try_)) {
       find_touching(k);
       next_try_ = outcome_.contacts + 16 + touching_.size();
       const Cluster cluster = cluster_around(k - lowest_, touching_, lowest_ == 0);

@@ -27,7 +27,10 @@ struct Lanes {
   friend Lanes operator-(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return Real(a.v[i] - b.v[i]); }); }
   friend Lanes operator*(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return Real(a.v[i] * b.v[i]); }); }
   friend Lanes magnitude(const Lanes& a) { return each([&](std::size_t i) { return a.v[i] < 0 ? Real(-a.v[i]) : a.v[i]; }); }
-  friend Lanes smaller(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return a.v[i] < b.v[i] ? a.v[i] : b.v[i]; }); }
+  /// c where a > b, else d (where one is NaN, too).
+  friend Lanes where_above(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+    return each([&](std::size_t i) { return a.v[i] > b.v[i] ? c.v[i] : d.v[i]; });
+  }
   /// b where a is zero, else c.
   friend Lanes where_zero(const Lanes& a, const Lanes& b, const Lanes& c) {
     return each([&](std::size_t i) { return a.v[i] == 0 ? b.v[i] : c.v[i]; });
@@ -63,7 +66,9 @@ struct Lanes<double> {
   friend Lanes operator-(const Lanes& a, const Lanes& b) { return of(a.v - b.v); }
   friend Lanes operator*(const Lanes& a, const Lanes& b) { return of(a.v * b.v); }
   friend Lanes magnitude(const Lanes& a) { return of(a.v < 0 ? -a.v : a.v); }
-  friend Lanes smaller(const Lanes& a, const Lanes& b) { return of(a.v < b.v ? a.v : b.v); }
+  friend Lanes where_above(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+    return of(a.v > b.v ? c.v : d.v);
+  }
   friend Lanes where_zero(const Lanes& a, const Lanes& b, const Lanes& c) { return of(a.v == 0 ? b.v : c.v); }
   friend Lanes shifted_up(const Lanes& before, const Lanes& a) {
     return of(__builtin_shuffle(before.v, a.v, Mask{7, 8, 9, 10, 11, 12, 13, 14}));

@@ -38,7 +38,7 @@ class TaylorGroup {
     contacts_ = contacts;
     blocks_ = (contacts + Block::count - 1) / Block::count;
     a_.resize((order + 1) * Motions * blocks_);
-    if (lowest_.size() < blocks_) lowest_.resize(blocks_);
+    if (suspect_.size() < blocks_) suspect_.resize(blocks_);
     if (force_.size() < Motions * (blocks_ + 2)) force_.resize(Motions * (blocks_ + 2));
     for (auto* v : {&K_, &C_, &w_, &sign_}) v->assign(blocks_, Block());
   }
@@ -80,21 +80,31 @@ class TaylorGroup {
     Real when;            ///< in units of h, 0 to 1
     std::size_t contact;  ///< which contact opens or closes
   };
-  /// The first contact to change its state within the step.
+  /// The first contact to change its state within the step. Of the contacts that cannot be ruled out the one that
+  /// seems to be first is looked at closely; its root bounds the interval in which the others must be ruled out.
   std::optional<Crossing> first_crossing() {
-    for (std::size_t b = 0; b < blocks_; ++b) rule_out(b);
+    settled_.assign(blocks_, Block(Real(0)));
     std::optional<Crossing> first;
-    typename FirstRoot<Real, order>::Coefficients p;
-    for (std::size_t i = 0; i < contacts_; ++i) {
-      if (at(lowest_, i) > 0) continue;
-      const Real sign = at(sign_, i);
-      for (int n = 0; n <= order; ++n) p[std::size_t(n)] = sign * coefficient(n, i);
-      // A root that rounding put just before the step's start.
-      if (p[0] < 0) p[0] = 0;
-      if (const auto when = FirstRoot<Real, order>::find(p, first ? first->when : Real(1)); when) first = {*when, i};
-      if (first && first->when == Real(0)) break;
+    Real limit = 1;
+    for (bool shorter = true;;) {
+      if (shorter)
+        for (std::size_t b = 0; b < blocks_; ++b) rule_out(b, limit);
+      std::size_t candidate = 0;
+      Real earliest = never;
+      for (std::size_t i = 0; i < contacts_; ++i)
+        if (at(suspect_, i) < earliest && at(settled_, i) == Real(0)) {
+          earliest = at(suspect_, i);
+          candidate = i;
+        }
+      if (earliest == Real(never)) return first;
+      at(settled_, candidate) = Real(1);
+      const auto when = FirstRoot<Real, order>::find(distance(candidate), limit);
+      shorter = when.has_value();
+      if (!when) continue;
+      first = {*when, candidate};
+      limit = *when;
+      if (limit == Real(0)) return first;
     }
-    return first;
   }
 
   /// Overlaps and rates at t = s h.
@@ -151,7 +161,8 @@ class TaylorGroup {
  private:
   using Block = Lanes<Real>;  ///< eight neighbouring contacts
   using Blocks = std::vector<Block>;
-  static constexpr int screen = 12;  ///< degree of the Bernstein polynomial that rules out most roots
+  static constexpr int screen = 12;     ///< degree of the Bernstein polynomial that rules out most roots
+  static constexpr double never = 1e9;
 
   Block& term(int p, int motion, std::size_t block) { return a_[std::size_t(p * Motions + motion) * blocks_ + block]; }
   const Block& term(int p, int motion, std::size_t block) const {
@@ -211,9 +222,19 @@ class TaylorGroup {
     }
   }
 
-  /// lowest_ > 0 where a contact cannot change its state: a lower bound of sign x_i(t) (of sign x_i(t)/t if x_i(0) = 0)
-  /// from the Bernstein coefficients of the series cut at degree `screen`, less the sum of the terms beyond.
-  void rule_out(std::size_t block) {
+  /// sign x_i(t) as a polynomial in t/h: what must stay positive for contact i to stay as it is.
+  typename FirstRoot<Real, order>::Coefficients distance(std::size_t i) {
+    typename FirstRoot<Real, order>::Coefficients p;
+    const Real sign = at(sign_, i);
+    for (int n = 0; n <= order; ++n) p[std::size_t(n)] = sign * coefficient(n, i);
+    if (p[0] < 0) p[0] = 0;  // a root that rounding put just before the step's start
+    return p;
+  }
+
+  /// suspect_ = never where a contact cannot change its state on [0, limit h]: the Bernstein coefficients of sign x_i(t)
+  /// (of sign x_i(t)/t if x_i(0) = 0), cut at degree `screen`, all exceed the sum of the terms beyond. Elsewhere the
+  /// index of the first coefficient that does not.
+  void rule_out(std::size_t block, const Real& limit) {
     static const auto weight = [] {
       std::array<Real, screen + 1> w;  // 1/C(screen, p)
       Real binomial = 1;
@@ -223,26 +244,29 @@ class TaylorGroup {
       }
       return w;
     }();
-    Block rest;
-    for (int p = screen + 1; p <= order; ++p) rest = rest + magnitude(term(p, 0, block));
     const Block start = term(0, 0, block), sign = sign_[block];
     std::array<Block, screen + 1> b;
-#pragma GCC unroll 16
-    for (int p = 0; p <= screen; ++p)
-      b[std::size_t(p)] = (sign * Block(weight[std::size_t(p)])) * where_zero(start, term(p + 1, 0, block), term(p, 0, block));
+    Real power = 1;
+    for (int p = 0; p <= screen; ++p) {
+      b[std::size_t(p)] =
+          (sign * Block(weight[std::size_t(p)] * power)) * where_zero(start, term(p + 1, 0, block), term(p, 0, block));
+      power *= limit;
+    }
+    Block rest;
+    for (int p = screen + 1; p <= order; ++p) rest = rest + magnitude(term(p, 0, block));
+    rest = rest * Block(power / limit);  // limit^p <= limit^screen
 #pragma GCC unroll 16
     for (std::size_t level = 1; level <= screen; ++level)
 #pragma GCC unroll 16
       for (std::size_t p = screen; p >= level; --p) b[p] = b[p] + b[p - 1];
-    Block low = b[0];
-#pragma GCC unroll 16
-    for (std::size_t p = 1; p <= screen; ++p) low = smaller(low, b[p]);
-    lowest_[block] = low - rest;
+    Block suspect{Real(never)};
+    for (std::size_t p = screen + 1; p-- > 0;) suspect = where_above(b[p], rest, suspect, Block(Real(double(p))));
+    suspect_[block] = suspect;
   }
 
   std::size_t contacts_ = 0, blocks_ = 0;
   Real h_{};
-  Blocks a_, K_, C_, w_, sign_, lowest_, force_;
+  Blocks a_, K_, C_, w_, sign_, suspect_, settled_, force_;
 };
 
 }  // namespace sigmasweep

@@ -1,0 +1,74 @@
+// Time and error of one tuple by method: N = 10, eps = 0.9, the sigma of Fig. 2(a)'s transition. All methods run side by
+// side in one process; compare them as ratios. `error` is |eps_eff - reference|, the reference computed in 113 bits.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/scene/real.hpp"
+#include "sigmasweep/solve/exact.hpp"
+#include "sigmasweep/solve/fixed_step.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+
+namespace {
+
+using namespace sigmasweep;
+
+constexpr double sigmas[] = {0.0, 0.01, 0.1, 0.3, 1.0, 2.0, 10.0};
+
+Parameters tuple(double sigma) {
+  Parameters p;
+  p.N = 10;
+  p.epsilon = 0.9;
+  p.v0 = 0.2;
+  p.tc = 1e-5;
+  p.sigma = sigma;
+  return complete(p, Gap::sigma);
+}
+
+double reference(const Parameters& p) {
+  static std::map<double, double> known;
+  if (const auto found = known.find(p.sigma); found != known.end()) return found->second;
+  ExactOptions to_the_end;
+  to_the_end.settle = 0.0;
+  const auto outcome = exact_collision<Quad>(reduced_column<Quad>(p), to_the_end);
+  return known[p.sigma] = static_cast<double>(energies<Quad>(outcome.velocity, Quad(1)).eps_eff);
+}
+
+void report_error(benchmark::State& state, const Parameters& p, double eps_eff) {
+  state.counters["error"] = std::abs(eps_eff - reference(p));
+}
+
+/// As a sweep runs it: with its error bar.
+void exact(benchmark::State& state, double sigma) {
+  const Parameters p = tuple(sigma);
+  Collision c;
+  for (auto _ : state) benchmark::DoNotOptimize(c = simulate(p));
+  report_error(state, p, c.eps_eff);
+  state.counters["bar"] = c.eps_eff_error;
+}
+
+/// The bare scheme at tc/steps, without the error bar that a sweep adds.
+void fixed(benchmark::State& state, Integrator integrator, double sigma, double steps) {
+  const Parameters p = tuple(sigma);
+  const Column<double> column = reduced_column<double>(p);
+  Outcome<double> outcome;
+  for (auto _ : state) benchmark::DoNotOptimize(outcome = fixed_step_collision(column, integrator, 1.0 / steps));
+  report_error(state, p, energies<double>(outcome.velocity, 1.0).eps_eff);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (double sigma : sigmas) {
+    const std::string at = "/sigma:" + std::to_string(sigma);
+    benchmark::RegisterBenchmark(("exact" + at).c_str(), exact, sigma)->Unit(benchmark::kMicrosecond);
+    for (auto integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4})
+      benchmark::RegisterBenchmark((std::string(name_of(integrator)) + "/tc:100" + at).c_str(), fixed, integrator, sigma, 100.0)
+          ->Unit(benchmark::kMicrosecond);
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}
