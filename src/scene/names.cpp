@@ -9,8 +9,9 @@ constexpr std::array<string_view, 2> method_names{"md", "ed"};
 constexpr std::array<string_view, 2> wall_names{"paper", "matched"};
 constexpr std::array<string_view, 4> integrator_names{"exact", "gear5", "verlet", "rk4"};
 constexpr std::array<string_view, 3> end_names{"none", "separated", "settled"};
-constexpr std::array<string_view, 9> status_names{"ok",          "collapsed",  "tolerance_missed", "unstable", "event_limit",
-                                                  "time_limit",  "non_finite", "failed",           "not_run"};
+constexpr std::array<string_view, 9> status_names{"ok",         "collapsed",   "tolerance_missed",
+                                                  "unstable",   "event_limit", "time_limit",
+                                                  "non_finite", "failed",      "not_run"};
 
 // One name an enumerator: a new enumerator without a name does not compile.
 static_assert(method_names.size() == static_cast<std::size_t>(Method::ed) + 1);

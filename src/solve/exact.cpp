@@ -1,5 +1,6 @@
 #include "sigmasweep/solve/exact.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,33 +25,50 @@ namespace {
 constexpr double safety = 16.0;
 /// Roundings of eps_eff itself, from velocities to energies.
 constexpr double last_roundings = 5.0;
-/// Contact events beyond which the wide types, 20 and 1000 times slower, are not tried.
-constexpr std::uint64_t wide_limit = 20'000;
+/// Work (ExactColumn::work) up to which a wide type is tried: about a second in each.
+constexpr std::uint64_t long_double_limit = 1'000'000, quad_limit = 50'000;
+
+/// What a run has to say on whether a wider type is worth a try.
+struct Effort {
+  std::uint64_t work = 0;
+  double disturbance = 0.0;  ///< of eps_eff, at the end
+};
 
 /// The collision computed in `Real`, its error bar included.
 template <class Real>
-Collision computed_in(const Parameters& p, const ExactOptions& options) {
-  using std::abs;
+Collision computed_in(const Parameters& p, const ExactOptions& options, Effort& effort) {
   ExactColumn<Real, 1> exact(reduced_column<Real>(p), options);
   const Outcome<Real> outcome = exact.run();
+  effort = {exact.work(), static_cast<double>(exact.disturbance())};
   Collision c = in_si(outcome, p);
   if (c.status != Status::ok) return c;
   const Real rounding = std::numeric_limits<Real>::epsilon();
-  const Real error = safety * abs(exact.eps_eff_disturbed()[0]) + last_roundings * rounding * Real(c.eps_eff) +
-                     residual_dissipation<Real>(outcome.velocity, Real(1));
+  const Real error = exact.error(safety) + Real(last_roundings) * rounding * Real(c.eps_eff);
   c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;
   return c;
 }
 
-/// Where the result hangs on digits that nobody has, another column that differs from this one in the tenth digit
-/// gives another draw of it. The linearised disturbance says nothing more there.
+/// How many times finer than double's a type's roundings are.
+template <class Wide>
+double gain() {
+  return std::numeric_limits<double>::epsilon() / static_cast<double>(std::numeric_limits<Wide>::epsilon());
+}
+
+/// The error bar from two twins of the column, whose dashpots and gaps differ from its own in the thirteenth digit. In a
+/// long tail of contacts that carry next to no energy a linearised disturbance grows without end, and says nothing; the
+/// twins go their own way there, too, but end where the energy lets them.
 double spread(const Parameters& p, const ExactOptions& options, double eps_eff) {
-  Column<double> other = reduced_column<double>(p);
-  other.gap *= 1.0 + 1e-10;
-  const Outcome<double> outcome = exact_collision(other, options);
-  if (outcome.status != Status::ok) return 1.0;
-  const double difference = std::abs(energies<double>(outcome.velocity, 1.0).eps_eff - eps_eff);
-  return std::max(eps_eff, safety * difference);
+  double largest = 0.0;
+  for (const double change : {-1e-13, 1e-13}) {
+    Column<double> twin = reduced_column<double>(p);
+    twin.gap *= 1.0 - change;
+    twin.C *= 1.0 + change;
+    twin.C_wall *= 1.0 + change;
+    const Outcome<double> outcome = exact_collision(twin, options);
+    if (outcome.status != Status::ok) return 1.0;
+    largest = std::max(largest, std::abs(energies<double>(outcome.velocity, 1.0).eps_eff - eps_eff));
+  }
+  return safety * largest + options.settle;
 }
 
 }  // namespace
@@ -58,20 +76,24 @@ double spread(const Parameters& p, const ExactOptions& options, double eps_eff) 
 Collision simulate_exact(const Parameters& p) {
   ExactOptions options;
   options.settle = 1e-3 * p.tolerance;
-  Collision c = computed_in<double>(p, options);
+  Effort effort;
+  Collision c = computed_in<double>(p, options, effort);
   if (c.status != Status::ok || c.eps_eff_error <= p.tolerance) return c;
 
-  const auto gain = [](auto wide) {
-    using Wide = decltype(wide);
-    return std::numeric_limits<double>::epsilon() / static_cast<double>(std::numeric_limits<Wide>::epsilon());
-  };
-  const double wanted = c.eps_eff_error / p.tolerance;
-  if (c.contacts <= wide_limit && wanted < gain(Quad())) {
-    const Collision wide = wanted < gain(1.0L) ? computed_in<long double>(p, options) : computed_in<Quad>(p, options);
+  const double wanted = safety * effort.disturbance / p.tolerance;
+  c.eps_eff_error = std::min(c.eps_eff_error, spread(p, options, c.eps_eff));
+  if (c.eps_eff_error <= p.tolerance) return c;
+
+  if (wanted < gain<long double>() && effort.work <= long_double_limit) {
+    const Collision wide = computed_in<long double>(p, options, effort);
     if (wide.status != Status::ok || wide.eps_eff_error <= p.tolerance) return wide;
   }
-  c.eps_eff_error = std::min(1.0, std::min(c.eps_eff_error, spread(p, options, c.eps_eff)));
-  c.status = c.eps_eff_error <= p.tolerance ? Status::ok : Status::tolerance_missed;
+  if (wanted < gain<Quad>() && effort.work <= quad_limit) {
+    const Collision wide = computed_in<Quad>(p, options, effort);
+    if (wide.status != Status::ok || wide.eps_eff_error <= p.tolerance) return wide;
+  }
+  c.eps_eff_error = std::min(1.0, c.eps_eff_error);
+  c.status = Status::tolerance_missed;
   return c;
 }
 

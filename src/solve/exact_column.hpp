@@ -28,8 +28,12 @@ class ExactColumn {
  public:
   ExactColumn(const Column<Real>& column, const ExactOptions& options);
   Outcome<Real> run();
-  /// After run(): how far eps_eff has been moved by each disturbance.
-  std::array<Real, Disturbances> eps_eff_disturbed() const;
+  /// After run(): a bound of the error of eps_eff, `safety` times the disturbances' size.
+  Real error(double safety) const;
+  /// After run(): the largest change of eps_eff by a disturbance.
+  Real disturbance() const { return balance().disturbance; }
+  /// Contacts propagated, summed over all Taylor steps: what a run in a wider type would cost.
+  std::uint64_t work() const { return work_; }
 
  private:
   static constexpr int none = -1;
@@ -57,6 +61,12 @@ class ExactColumn {
     std::size_t lo, hi;
   };
 
+  /// Where eps_eff stands at a moment within the collision.
+  struct Balance {
+    Real disturbance{};  ///< largest change of sqrt(E/E_0), E kinetic plus elastic, by a disturbance
+    Real remaining{};    ///< at most this can sqrt(E/E_0) still fall
+  };
+
   const Real& K(std::size_t k) const { return k == 0 ? column_.K_wall : column_.K; }
   const Real& C(std::size_t k) const { return k == 0 ? column_.C_wall : column_.C; }
   static Real inertia(std::size_t k) { return k == 0 ? Real(1) : Real(2); }
@@ -79,6 +89,7 @@ class ExactColumn {
   void begin_taylor(Group& group);
   void schedule_gap(std::size_t k);
   Real longest_step(const Group& group) const;
+  Balance balance() const;
   bool settled();
   std::vector<Real> velocities(int motion) const;
 
@@ -97,8 +108,9 @@ class ExactColumn {
   Tournament<Real> events_;
   Noise noise_;
   std::size_t closed_count_ = 0;
-  std::uint64_t contacts_ = 0, checked_at_ = 0;
+  std::uint64_t contacts_ = 0, checked_at_ = 0, work_ = 0;
   Real wall_opened_{}, x_max_{};
+  std::vector<Balance> balances_;       ///< those that could give the smallest error
 };
 
 }  // namespace sigmasweep

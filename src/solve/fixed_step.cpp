@@ -55,7 +55,7 @@ class Run {
   Run(const Column<double>& column, double dt, const FixedStepOptions& options)
       : column_(column), options_(options), dt_(dt), chain_(column, dt), scheme_(chain_), before_(chain_.x),
         deepest_(chain_.contacts) {
-    if (options_.step_limit == 0.0) options_.step_limit = 1e12 / static_cast<double>(column.N);
+    if (options_.step_limit == 0.0) options_.step_limit = 1e11 / static_cast<double>(column.N);
     lowest_energy_ = start_energy_ = energy();
   }
 
@@ -65,7 +65,8 @@ class Run {
       if (outcome_.end != End::none) break;
       advance();
       if (++steps_ % 16 == 0) check_energy();
-      if (static_cast<double>(steps_) > options_.step_limit && outcome_.status == Status::ok) outcome_.status = Status::event_limit;
+      if (static_cast<double>(steps_) > options_.step_limit && outcome_.status == Status::ok)
+        outcome_.status = Status::event_limit;
     }
     if (outcome_.status == Status::ok) check_energy();
     return result();

@@ -8,8 +8,8 @@
 namespace sigmasweep {
 
 /// Gear's predictor-corrector of fifth order for equations of second order with velocity-dependent forces, the paper's
-/// scheme (Sec. II A): C. W. Gear, ANL-7126 (1966); M. P. Allen & D. J. Tildesley, Computer Simulation of Liquids (1987),
-/// App. E and Table E.1. Nordsieck's six values r_n = x^(n)/n!, time in steps:
+/// scheme (Sec. II A): C. W. Gear, ANL-7126 (1966); M. P. Allen & D. J. Tildesley, Computer Simulation of Liquids
+/// (1987), App. E. Nordsieck's six values r_n = x^(n)/n!, time in steps:
 ///     predict   p_n = sum_(m >= n) binomial(m, n) r_m
 ///     evaluate  D = a(p_0, p_1)/2 - p_2
 ///     correct   r_n = p_n + c_n D,   c = 3/16, 251/360, 1, 11/18, 1/6, 1/60

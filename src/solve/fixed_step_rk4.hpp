@@ -4,8 +4,8 @@
 
 namespace sigmasweep {
 
-/// The classical Runge-Kutta scheme of fourth order (W. Kutta, Z. Math. Phys. 46, 435 (1901)) for (x, u)' = (u, a(x, u)),
-/// with the stages of x written out:
+/// The classical Runge-Kutta scheme of fourth order (W. Kutta, Z. Math. Phys. 46, 435 (1901)) for
+/// (x, u)' = (u, a(x, u)), with the stages of x written out:
 ///     a1 = a(x, u),  a2 = a(x + u/2, u + a1/2),  a3 = a(x + u/2 + a1/4, u + a2/2),  a4 = a(x + u + a2/2, u + a3),
 ///     x += u + (a1 + a2 + a3)/6,   u += (a1 + 2 a2 + 2 a3 + a4)/6.
 class RungeKutta4 {

@@ -21,13 +21,14 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double same_time = 1e-12;
 /// A relative velocity that is this much smaller than the two it is the difference of is rounding: it is zero.
 constexpr double cancelled = 1e-14;
-/// A pair that collides again within the fraction `again` of the time so far, and is slower than this (units v0) by now,
-/// will do so for ever: inelastic collapse.
+/// A pair that collides again within the fraction `again` of the time so far, and by now is slower than this (units
+/// v0), will do so for ever: inelastic collapse.
 constexpr double collapsed_speed = 1e-16;
 constexpr double again = 1e-6;
 
 /// Contacts are numbered k = 0 (the wall) to N-1; units are the speed and, if there is one, the gap. The state is each
-/// contact's gap at its own time `since` and its closing speed u > 0, so neither is a small difference of large numbers.
+/// contact's gap at its own time `since` and its closing speed u (> 0: approaching), so neither is a small difference
+/// of large numbers.
 class HardSphereColumn {
  public:
   HardSphereColumn(const Column<double>& column, const HardSphereOptions& options)
@@ -81,11 +82,12 @@ class HardSphereColumn {
 
   bool same_as_now(double time) const { return time - now_ <= same_time * now_; }
 
-  /// Contact k, the next to collide, can dissipate at least u^2/4 of the energy, so there is no need to look before that
+  /// Contact k, the next to collide, can change eps_eff by at least u^2/(4 N), so there is no need to look before that
   /// is small; and then not at every collision. A contact in a series of ever faster collisions is left to it.
   bool is_settled(std::size_t k) {
     const Contact& contact = state_[k];
-    if (contact.u > settled_below_ || outcome_.contacts < next_look_ || is_again(contact, due_.time_of(k))) return false;
+    if (contact.u > settled_below_ || outcome_.contacts < next_look_) return false;
+    if (is_again(contact, due_.time_of(k))) return false;
     next_look_ = outcome_.contacts + contacts_;
     return residual_dissipation<double>(velocities(), 1.0) < options_.settle;
   }

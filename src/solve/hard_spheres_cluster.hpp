@@ -18,8 +18,8 @@ struct Cluster {
 };
 
 /// The cluster around contact k of a run of touching contacts with closing speeds u, the first of them at the wall if
-/// `on_wall`, none of them faster than u[k] > 0. Its common velocity is that of the velocities without approach that are
-/// closest to the present ones (Moreau's plastic impact), found by pooling adjacent violators.
+/// `on_wall`, none of them faster than u[k] > 0. It gets its common velocity when all velocities go to those without
+/// approach that are closest to them (Moreau's plastic impact), found by pooling adjacent violators.
 Cluster cluster_around(std::size_t k, std::span<const double> u, bool on_wall);
 
 /// Whether infinitely many collisions in no time will make the cluster one, seen long before its speeds have vanished.
@@ -27,8 +27,8 @@ Cluster cluster_around(std::size_t k, std::span<const double> u, bool on_wall);
 /// leaves every other p alone; u_k = 2 p_k - p_(k-1) - p_(k+1). The cluster collapses unless some p_k falls below zero,
 /// which the next collision can only do if u_k > 2 p_k/(1+eps). So the answer is yes when
 /// - all closing speeds are below a quarter of every p_k, so that no wave runs any more, only diffusion, and
-/// - the column is more dissipative than the threshold of collapse, 1 - eps = 1 - tan^2(pi/4 (1 - 1/n)) for n beads on a
-///   wall (B. Bernu & R. Mazighi, J. Phys. A 23, 5745 (1990)), or 2n free ones, by a quarter, so that it stays so.
+/// - the column is more dissipative than the threshold of collapse, 1 - eps = 1 - tan^2(pi/4 (1 - 1/n)) for n beads on
+///   a wall (B. Bernu & R. Mazighi, J. Phys. A 23, 5745 (1990)), or 2n free ones, by a quarter, so that it stays so.
 /// Not a theorem: runs down to vanishing speeds agree in all of 3040 cases (N = 4..48, N(1-eps) = 0.5..9, both walls),
 /// and still do with one half in place of the first quarter.
 bool will_collapse(const Cluster& cluster, double eps);

@@ -9,8 +9,8 @@
 
 namespace sigmasweep {
 
-/// What an outcome in reduced units means for the tuple, but for eps_eff_error; where there is no result every number is
-/// NaN.
+/// What an outcome in reduced units means for the tuple, but for eps_eff_error; where there is no result every number
+/// is NaN.
 template <class Real>
 Collision in_si(const Outcome<Real>& outcome, const Parameters& parameters) {
   Collision c;

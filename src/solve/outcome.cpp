@@ -27,43 +27,46 @@ Energies<Real> energies(std::span<const Real> velocity, Real speed) {
 }
 
 template <class Real>
-Real residual_dissipation(std::span<const Real> velocity, Real speed) {
-  using std::sqrt;
+Real distance_to_separated(std::span<const Real> velocity) {
   struct Block {
     Real sum;
     double beads;
     Real mean() const { return sum / beads; }
   };
-  // Projection onto 0 <= w_1 <= ... <= w_N: pool adjacent violators, then cut at 0. The lost part is |v - Pv|^2.
-  std::vector<Block> blocks;
+  std::vector<Block> blocks;  // projection onto w_1 <= ... <= w_N, then cut at 0
   for (const Real& v : velocity) {
-    blocks.push_back({v / speed, 1.0});
+    blocks.push_back({v, 1.0});
     while (blocks.size() > 1 && blocks[blocks.size() - 2].mean() > blocks.back().mean()) {
       const Block last = blocks.back();
       blocks.pop_back();
-      Block& below = blocks.back();
-      below.sum += last.sum;
-      below.beads += last.beads;
+      blocks.back().sum += last.sum;
+      blocks.back().beads += last.beads;
     }
   }
-  Real lost = 0, total = 0;
+  Real distance = 0;
   std::size_t bead = 0;
   for (const Block& block : blocks) {
     const Real w = block.mean() > 0 ? block.mean() : Real(0);
-    for (double i = 0; i < block.beads; ++i, ++bead) {
-      const Real v = velocity[bead] / speed;
-      lost += (v - w) * (v - w);
-      total += v * v;
-    }
+    for (double i = 0; i < block.beads; ++i, ++bead) distance += (velocity[bead] - w) * (velocity[bead] - w);
   }
+  return distance;
+}
+
+template <class Real>
+Real residual_dissipation(std::span<const Real> velocity, Real speed) {
+  using std::sqrt;
+  const Real lost = distance_to_separated(velocity);
   if (!(lost > 0)) return Real(0);
-  // sqrt(total) - sqrt(total - lost), without cancellation
+  Real total = 0;
+  for (const Real& v : velocity) total += v * v;
+  // |v| - |Pv| without cancellation
   const Real kept = total > lost ? Real(total - lost) : Real(0);
-  return lost / ((sqrt(total) + sqrt(kept)) * sqrt(Real(static_cast<double>(velocity.size()))));
+  return lost / ((sqrt(total) + sqrt(kept)) * sqrt(Real(static_cast<double>(velocity.size()))) * speed);
 }
 
 #define SIGMASWEEP_INSTANTIATE(Real)                                                 \
   template Energies<Real> energies(std::span<const Real> velocity, Real speed);      \
+  template Real distance_to_separated(std::span<const Real> velocity);               \
   template Real residual_dissipation(std::span<const Real> velocity, Real speed);
 SIGMASWEEP_INSTANTIATE(double)
 SIGMASWEEP_INSTANTIATE(long double)

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -12,35 +11,52 @@
 
 namespace sigmasweep {
 
-/// The ranks of a run. Owns MPI (init to finalize); sets the guards that the installed Open MPI needs before MPI_Init.
+/// The ranks of a run. Owns MPI (init to finalize, thread level funneled: only the thread that made the World may talk
+/// to other ranks); sets the guards that the installed Open MPI needs before MPI_Init, unless the user set them.
+/// Started without mpirun it is a world of one rank. If MPI runs already, it is used and left running.
 class World {
  public:
   World(int& argc, char**& argv);
   ~World();
   World(const World&) = delete;
+  World& operator=(const World&) = delete;
   int rank() const;
   int size() const;
-  /// The same text on every rank.
+  bool is_manager() const { return rank() == 0; }
+  /// The manager's text, or number, on every rank. Collective.
   std::string broadcast(std::string text) const;
+  std::int64_t broadcast(std::int64_t number) const;
+  /// The manager's rows dealt out as contiguous blocks in the order of ranks, `block(total)` to each. Collective.
+  std::vector<Row> scatter(const std::vector<Row>& rows, std::uint64_t total) const;
+  /// Rows first, first + 1, ..., first + count - 1 of `total`: this rank's block. Blocks differ by at most one row.
+  struct Block {
+    std::uint64_t first, count;
+  };
+  Block block(std::uint64_t total) const;
+  /// Ends all ranks at once: for errors that this rank met alone and the others are not waiting to hear of.
+  [[noreturn]] void abort(int exit_code) const;
   /// The native communicator (an MPI_Comm), for the collective table.
   void* native() const;
 
- private:
   struct Impl;
+  const Impl& impl() const { return *impl_; }
+
+ private:
   std::unique_ptr<Impl> impl_;
 };
 
-/// What the manager and workers need to know to run a sweep; callbacks run on the manager only, `compute` on all.
+/// What the manager and the workers need to know to run a sweep.
 struct Job {
-  std::function<Parameters(std::uint64_t row)> tuple;
-  std::function<Row(const Tuple&)> compute;       ///< must not throw
-  std::function<void(const Row&)> finished;       ///< on the manager, for each row as it comes in
-  std::function<bool()> stop;                     ///< on the manager, polled: hand out nothing more
+  std::function<Parameters(std::uint64_t row)> tuple;  ///< on the manager
+  std::function<Row(const Tuple&)> compute;            ///< must not throw; on workers, and on a thread of the manager
+  std::function<void(const Row&)> finished;            ///< on the manager, for each row as it comes in; must not throw
+  std::function<bool()> stop;                          ///< polled on every rank: hand out nothing more
   bool manager_computes = true;
 };
 
-/// Hands out the rows of `schedule` (used on the manager) and returns when all handed out have come back, on all ranks.
-/// With one rank the same interface runs in this process.
+/// Hands out the rows of `schedule` (the manager's; unused elsewhere) and returns on all ranks when everything handed
+/// out has come back. When any rank's `stop` says so, no tuple is begun any more: those in flight are finished and come
+/// back, the rest of the chunks is dropped. With one rank the manager computes, whatever `job` says.
 void distribute(const World& world, Schedule* schedule, const Job& job);
 
 }  // namespace sigmasweep

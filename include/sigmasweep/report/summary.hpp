@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -8,7 +9,8 @@
 namespace sigmasweep {
 
 /// The largest spread of eps_eff among rows that should be the same point: equal sigma (to 1e-12, relative), N,
-/// epsilon, method, wall and integrator, but other v0, tc or s0. How universal the curve is.
+/// epsilon, method, wall and integrator with its accuracy (steps_per_tc or tolerance), but other v0, tc or s0. How
+/// universal the curve is. Rows without a result do not count.
 struct Universality {
   double spread = 0.0;       ///< largest max - min of eps_eff within a group
   double sigma = 0.0;        ///< where
@@ -16,8 +18,18 @@ struct Universality {
 };
 Universality universality(std::span<const Row> rows);
 
+/// The computing that was done in one run (a run that goes on with an earlier one computes only some of the rows).
+struct Work {
+  std::uint64_t rows = 0;
+  double cpu_seconds = 0.0, longest_seconds = 0.0;
+  void add(const Row& row);
+};
+
 /// What the sweep ends with: rows by status, quantiles of error and run time, makespan against its lower bound
-/// max(sum/ranks, longest), universality. `wall_seconds` is the time the computing took, 0 when nothing was computed.
+/// max(sum/ranks, longest), universality. `wall_seconds` is the time that the computing of `work` took on `ranks`
+/// ranks, 0 when nothing was computed.
+std::string summary(std::span<const Row> rows, const Work& work, int ranks, double wall_seconds);
+/// The same when all rows were computed in that time.
 std::string summary(std::span<const Row> rows, int ranks, double wall_seconds);
 
 }  // namespace sigmasweep

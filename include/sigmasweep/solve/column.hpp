@@ -52,11 +52,14 @@ struct Energies {
 template <class Real>
 Energies<Real> energies(std::span<const Real> velocity, Real speed);
 
+/// |v - Pv|^2, P the projection onto the cone 0 <= w_1 <= ... <= w_N, by pooling adjacent violators (isotonic
+/// regression) in one pass. Why the cone: every completed contact hands momentum upwards (int F dt = K int x dt >= 0, as
+/// x starts and ends at 0), and at the end nothing approaches. So the final velocities lie in the cone, and differ from
+/// today's by an element of its polar cone; by Moreau's decomposition their norm is at least |Pv|.
+template <class Real>
+Real distance_to_separated(std::span<const Real> velocity);
+
 /// Largest amount by which eps_eff can still fall when all contacts are open and the beads have these velocities.
-/// Every completed contact hands momentum upwards (int F dt = K int x dt >= 0, as x starts and ends at 0), and at the
-/// end 0 <= v_1 <= ... <= v_N. So the final velocities lie in that convex cone, and differ from today's by an element
-/// of its polar cone; by Moreau's decomposition their norm is at least that of the projection of today's velocities
-/// onto the cone, which pooling adjacent violators (isotonic regression) finds in one pass.
 template <class Real>
 Real residual_dissipation(std::span<const Real> velocity, Real speed);
 

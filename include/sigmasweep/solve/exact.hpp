@@ -12,12 +12,11 @@ namespace sigmasweep {
 
 struct ExactOptions {
   double settle = 1e-13;          ///< stop once later collisions can change eps_eff by less than this; 0: never
-  std::uint64_t event_limit = 0;  ///< contact events before giving up; 0: 100,000 + 50 N^2
+  std::uint64_t event_limit = 0;  ///< contact events before giving up; 0: 100,000 + 20 N^2
 };
 
 /// One collision. Real is double, long double or Quad; the result is good to a few roundings of Real times the
 /// condition of the problem. End::settled or separated with Status::ok, or Status::event_limit, non_finite.
-/// `residual` of the outcome's velocities is left to residual_dissipation().
 template <class Real>
 Outcome<Real> exact_collision(const Column<Real>& column, const ExactOptions& options = {});
 

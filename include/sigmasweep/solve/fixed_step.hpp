@@ -12,7 +12,7 @@ namespace sigmasweep {
 
 struct FixedStepOptions {
   double settle = 1e-13;           ///< stop once later contacts can change eps_eff by less than this; 0: never
-  double step_limit = 0.0;         ///< steps before giving up; 0: 1e12/N
+  double step_limit = 0.0;         ///< steps before giving up; 0: 1e11/N, some minutes
   bool skip_free_flight = true;    ///< cross free flight in one go, by a whole number of steps; for tests
 };
 

@@ -13,6 +13,7 @@ namespace sigmasweep {
 struct HardSphereOptions {
   double settle = 1e-13;              ///< stop once later collisions can change eps_eff by less than this; 0: never
   std::uint64_t collision_limit = 0;  ///< 0: 1e7 + 10 N^2, but at most 2e8
+  bool foresee_collapse = true;       ///< finish an inelastic collapse as soon as it is certain; for tests
 };
 
 /// One collision of the column with its restitutions eps and eps_wall; tc, K and C play no role. In units of the gap

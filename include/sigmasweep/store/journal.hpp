@@ -17,22 +17,34 @@ struct JournalIdentity {
 };
 
 /// The truth while a sweep runs: an append-only file of fixed-size, checksummed records beside the table
-/// (TABLE.h5.journal). A torn tail (from a kill or a full disk) is cut off when it is opened again.
+/// (TABLE.h5.journal). One process opens it, the manager's.
 class Journal {
  public:
-  /// Opens or creates. Holds an exclusive fcntl lock (on TABLE.h5.lock, taken before anything else is opened) for its lifetime. Throws OutputError
-  /// (another live run holds it; cannot be created; of another spec or physics version unless `fresh`), IoError.
+  /// Opens or creates. Holds an exclusive fcntl lock for its lifetime, on TABLE.h5.lock, taken before anything else is
+  /// opened. `fresh` replaces what is there; else a journal of this identity is gone on with: a torn tail (from a
+  /// kill or a full disk) is cut off, damaged records before it are passed over. Throws OutputError (another process
+  /// holds it; cannot be created; foreign, or of another spec, physics version or number of rows: then the file is
+  /// left as it is and the message says how to go on) or IoError.
   Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh);
+  /// Syncs what it can, quietly, and gives the lock back.
   ~Journal();
   Journal(Journal&&) noexcept;
   Journal& operator=(Journal&&) noexcept;
 
-  /// Rows found when it was opened, each index once (the last good record), in order of index.
+  /// Rows found when it was opened, each index once (the last good record), in order of index. Every index is below
+  /// the identity's rows; whether a row has the parameters that the spec has there is for the caller to compare.
   const std::vector<Row>& recovered() const;
-  /// Writes the record at once (a killed process loses nothing) and syncs to disk in groups: every second or 1024 rows. Throws IoError naming the file; after a failed sync it stays failed.
+  /// How many records were found damaged or torn when it was opened. Their rows are to be computed again.
+  std::uint64_t dropped() const;
+
+  /// Writes the record at once, so that a killed process loses nothing, and syncs to disk in groups: by the first
+  /// append that finds a second gone or 1024 rows written since the last sync. Throws IoError naming the file and the
+  /// cause (disk full); the journal then ends with its last whole record and can be gone on with. After a failed sync
+  /// it stays failed: what the disk holds is unknown until it is opened again.
   void append(const Row& row);
+  /// Brings everything appended to the disk. Throws IoError.
   void sync();
-  /// Removes the journal, once the table is complete and checked.
+  /// Removes the journal, once the table is complete and checked. Nothing can be appended afterwards; the lock stays.
   void remove();
 
  private:

@@ -11,18 +11,25 @@
 
 namespace sigmasweep {
 
-/// Root attributes of a table that do not follow from its rows. format, version, program, compiler and library
-/// versions are added by the writer.
+/// What a table's root attributes say about the sweep and its run: title, spec, spec_hash (hexadecimal text), host,
+/// start, ranks. The writer adds format ("sigmasweep-table"), format_version, rows, physics_version, program_version,
+/// git_revision, compiler, compiler_flags, mpi_version and hdf5_version. All texts are UTF-8.
 struct TableInfo {
   std::string title, spec_text, host, start;  ///< start: ISO 8601, UTC
   std::uint64_t spec_hash = 0;
   int ranks = 1;
+  std::uint32_t physics_version = 0;  ///< of a table that was read; the writer writes the program's own
 };
 
 /// Writes the table collectively: every rank of `comm` brings its contiguous block of rows, `first` being the index of
-/// the block's first row. /results holds `columns`, /timings the timing fields. Goes to PATH.part, space allocated up
-/// front, read back and compared by checksum, then renamed: PATH is complete or not there. Every rank returns or every
-/// rank throws the same error (OutputError, IoError).
+/// the block's first row (blocks may be empty; together they make up `total_rows` rows); `info` is rank 0's. /results
+/// holds `columns` in that order, /timings the timing fields: one-dimensional compounds without padding, enumerations
+/// with their names. The unit and meaning of member X are the dataset's attributes unit:X and meaning:X.
+///
+/// Goes to PATH.part, space set aside up front, read back and compared by checksum, synced, then renamed: PATH is
+/// complete or as it was before. Every rank returns or every rank throws the same error (OutputError: cannot be
+/// created; IoError: disk full, a failed write, other bytes read back than written). /results is the same to the bit
+/// for any number of ranks and any blocks.
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
                  std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block);
 
@@ -33,7 +40,8 @@ struct Table {
   std::vector<Row> rows;       ///< with timings; members that the file lacks keep their defaults
 };
 
-/// Throws InputNotFound, or IoError for a file that is not a whole sigmasweep table.
+/// Reads a table without MPI. Members are found by name and converted; unknown ones are passed over. Throws
+/// InputNotFound, or IoError for a file that is not a whole sigmasweep table.
 Table read_table(const std::string& path);
 
 }  // namespace sigmasweep

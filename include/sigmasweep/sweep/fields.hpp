@@ -12,7 +12,9 @@
 /// members, show, export and plot are made from.
 namespace sigmasweep {
 
-enum class FieldType : std::uint8_t { real, integer, unsigned_integer, integer32, method, wall, integrator, end, status };
+enum class FieldType : std::uint8_t {
+  real, integer, unsigned_integer, integer32, method, wall, integrator, end, status
+};
 
 struct Field {
   std::string_view name;
@@ -29,8 +31,15 @@ std::span<const Field> timing_fields();
 /// The field of that name, from any of the three lists, or nullptr.
 const Field* find_field(std::string_view name);
 
-/// A field's value as a number (enumerators as their number), and as the text that users read.
+/// A field's value as a number (enumerators as their number), and as the text that users read: an enumerator's name,
+/// the shortest decimal that reads back as the same double, nan, inf.
 double number(const Field& field, const Row& row);
 std::string text(const Field& field, const Row& row);
+
+/// Sets a field from a number(); integers must be whole, enumerators one of their numbers.
+void set_number(const Field& field, Row& row, double value);
+
+/// The names of a field's values if it is an enumeration, in the order of their numbers; empty for numbers.
+std::span<const std::string_view> enumerators(FieldType type);
 
 }  // namespace sigmasweep

@@ -1,32 +1,41 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace sigmasweep {
 
-/// The order in which rows are handed out, in chunks: largest predicted cost first, chunks of about equal cost that
-/// shrink towards the end, at least `min_chunk_seconds` each unless a single row is longer.
+/// The order in which rows are handed out: largest predicted cost first (ties by row), in chunks of about equal cost
+/// that shrink towards the end (guided self-scheduling, Polychronopoulos & Kuck 1987, in cost instead of counts).
+/// A chunk takes 1/(2 ranks) of what is left, but at least `min_chunk_seconds`, so that messages cost nothing, and at
+/// most `max_chunk_seconds`, so that a stop and the journal never wait long. A longer row is a chunk of its own.
 class Schedule {
  public:
+  /// `predicted_seconds[i]` > 0 belongs to `rows[i]`. Throws std::invalid_argument when the lengths differ, ranks < 1
+  /// or a prediction is not a finite number > 0.
   Schedule(std::vector<std::uint64_t> rows, std::vector<double> predicted_seconds, int ranks,
-           double min_chunk_seconds = 1e-3);
+           double min_chunk_seconds = 1e-3, double max_chunk_seconds = 0.25);
   /// The next chunk; empty when all are handed out. Valid until the Schedule is destroyed.
   std::span<const std::uint64_t> next();
   double total_seconds() const;
   double longest_seconds() const;
   /// max(total/ranks, longest): no schedule ends earlier.
   double lower_bound_seconds() const;
-  /// When this schedule ends if all predictions hold: list scheduling of its chunks.
+  /// When this schedule ends if all predictions hold: each chunk goes to the rank that is free first. Of the whole
+  /// schedule, however much of it has been handed out.
   double predicted_makespan() const;
 
  private:
-  std::vector<std::uint64_t> rows_;
-  std::vector<double> seconds_;
+  /// One past the last row of the chunk that begins at `first`; takes the chunk's cost from `left`.
+  std::size_t chunk_end(std::size_t first, double& left) const;
+
+  std::vector<std::uint64_t> rows_;  ///< in the order of handing out
+  std::vector<double> seconds_;      ///< of rows_
   std::size_t next_ = 0;
   int ranks_;
-  double min_chunk_, total_ = 0.0, longest_ = 0.0, left_ = 0.0;
+  double min_chunk_, max_chunk_, total_ = 0.0, longest_ = 0.0, left_ = 0.0;
 };
 
 }  // namespace sigmasweep

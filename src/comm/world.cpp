@@ -1,0 +1,107 @@
+#include "sigmasweep/comm/world.hpp"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <boost/mpi/exception.hpp>
+#include <cstdlib>
+#include <stdexcept>
+#include <type_traits>
+
+#include "world_impl.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// Open MPI's own settings, in force unless the user chose otherwise; other MPI libraries do not read them.
+void guard_open_mpi() {
+  const auto unless_set = [](const char* name, const char* value) { setenv(name, value, /*overwrite=*/0); };
+  // Before 4.1.7 unlocked data sieving can corrupt HDF5 files written by several ranks.
+  unless_set("OMPI_MCA_fs_ufs_lock_algorithm", "3");
+  // The default collective write, vulcan, can hang at some numbers of ranks.
+  unless_set("OMPI_MCA_fcoll", "dynamic_gen2");
+  // A rank that waits in a collective call lets others have the core. It costs a system call per empty poll, nothing
+  // while computing, and more ranks than cores (often unknown to MPI: containers, quotas) do not starve each other.
+  unless_set("OMPI_MCA_mpi_yield_when_idle", "1");
+  // Direct copies between processes need ptrace rights that containers often deny, and then fail with noise. Our
+  // messages are small; shared memory is as good.
+  unless_set("OMPI_MCA_btl_vader_single_copy_mechanism", "none");
+}
+
+void check(int result, const char* routine) {
+  if (result != MPI_SUCCESS) throw boost::mpi::exception(routine, result);
+}
+
+/// The MPI datatype of one Row: its bytes, so that counts are in rows and doubles stay what they are.
+class RowType {
+ public:
+  RowType() {
+    static_assert(std::is_trivially_copyable_v<Row>);
+    check(MPI_Type_contiguous(sizeof(Row), MPI_BYTE, &type_), "MPI_Type_contiguous");
+    check(MPI_Type_commit(&type_), "MPI_Type_commit");
+  }
+  ~RowType() { MPI_Type_free(&type_); }
+  RowType(const RowType&) = delete;
+  RowType& operator=(const RowType&) = delete;
+  operator MPI_Datatype() const { return type_; }
+
+ private:
+  MPI_Datatype type_ = MPI_DATATYPE_NULL;
+};
+
+World::Block block_of(std::uint64_t total, std::uint64_t rank, std::uint64_t size) {
+  const std::uint64_t share = total / size, rest = total % size;
+  return {rank * share + std::min(rank, rest), share + (rank < rest ? 1 : 0)};
+}
+
+}  // namespace
+
+World::World(int& argc, char**& argv) {
+  guard_open_mpi();
+  impl_ = std::make_unique<Impl>(argc, argv);
+  if (boost::mpi::environment::thread_level() < boost::mpi::threading::funneled)
+    throw std::runtime_error("this MPI library cannot be used beside threads (MPI_THREAD_FUNNELED)");
+}
+
+World::~World() = default;
+
+int World::rank() const { return impl_->communicator.rank(); }
+int World::size() const { return impl_->communicator.size(); }
+void World::abort(int exit_code) const {
+  boost::mpi::environment::abort(exit_code);
+  std::abort();  // not reached: it tells the compiler so
+}
+void* World::native() const { return static_cast<MPI_Comm>(impl_->communicator); }
+
+std::int64_t World::broadcast(std::int64_t number) const {
+  check(MPI_Bcast(&number, 1, MPI_INT64_T, 0, impl_->communicator), "MPI_Bcast");
+  return number;
+}
+
+std::string World::broadcast(std::string text) const {
+  text.resize(static_cast<std::size_t>(broadcast(static_cast<std::int64_t>(text.size()))));
+  check(MPI_Bcast(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, impl_->communicator), "MPI_Bcast");
+  return text;
+}
+
+World::Block World::block(std::uint64_t total) const {
+  return block_of(total, static_cast<std::uint64_t>(rank()), static_cast<std::uint64_t>(size()));
+}
+
+std::vector<Row> World::scatter(const std::vector<Row>& rows, std::uint64_t total) const {
+  const auto ranks = static_cast<std::uint64_t>(size());
+  std::vector<int> counts, firsts;  // MPI-3 counts are int: 2^31 rows, far beyond the manager's memory
+  for (std::uint64_t rank = 0; rank < ranks; ++rank) {
+    const Block block = block_of(total, rank, ranks);
+    counts.push_back(static_cast<int>(block.count));
+    firsts.push_back(static_cast<int>(block.first));
+  }
+  const RowType type;
+  std::vector<Row> mine(block(total).count);
+  check(MPI_Scatterv(rows.data(), counts.data(), firsts.data(), type, mine.data(), static_cast<int>(mine.size()), type,
+                     0, impl_->communicator),
+        "MPI_Scatterv");
+  return mine;
+}
+
+}  // namespace sigmasweep

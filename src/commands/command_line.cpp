@@ -1,0 +1,150 @@
+#include "command_line.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+
+#include "commands.hpp"
+#include "sigmasweep/sweep/fields.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// "--steps-per-tc", and as in a spec.
+std::string option_names(std::string_view name) {
+  std::string dashed(name);
+  std::replace(dashed.begin(), dashed.end(), '_', '-');
+  return dashed == name ? "--" + dashed : fmt::format("--{},--{}", dashed, name);
+}
+
+CLI::Validator check_of(const Field& field) {
+  const auto names = enumerators(field.type);
+  if (!names.empty()) return CLI::IsMember(std::vector<std::string>(names.begin(), names.end())).description("");
+  const bool real = field.type == FieldType::real;
+  return CLI::Validator(
+      [real](std::string& typed) {
+        const char *begin = typed.data(), *end = begin + typed.size();
+        double number;
+        std::int64_t whole;
+        const auto [rest, error] = real ? std::from_chars(begin, end, number) : std::from_chars(begin, end, whole);
+        if (error == std::errc() && rest == end) return std::string();
+        return fmt::format("'{}' is not a {}number", typed, real ? "" : "whole ");
+      },
+      "");
+}
+
+std::string type_name_of(const Field& field) {
+  const auto names = enumerators(field.type);
+  if (!names.empty()) return fmt::format("{}", fmt::join(names, "|"));
+  return field.type == FieldType::real ? "NUMBER" : "INTEGER";
+}
+
+void add_run(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Run a sweep, or go on with it; alone or under mpirun");
+  command->add_option("spec", options->spec, "The sweep spec, a TOML file")->required()->type_name("SPEC.toml");
+  command->add_option("-o,--output", options->output, "The table; default: the spec's name with .h5, here")
+      ->type_name("TABLE.h5");
+  command->add_flag("--fresh", options->fresh, "Start again, whatever is there");
+  command->add_flag("-q,--quiet", options->quiet, "Neither progress nor summary");
+  command->add_option("--max-seconds", options->max_seconds, "Stop on purpose after this long (exit code 75)")
+      ->check(CLI::Range(0.0, 1e9).description(""))->type_name("S");
+  command->footer("\nA run that was stopped or killed goes on where it was when it is started again with the same spec.\n"
+                  "Rows do not depend on the number of ranks.\n\n"
+                  "  mpirun -n 4 sigmasweep run fig2a.toml -o fig2a.h5");
+  command->callback([&invocation, options] {
+    invocation.command = [&invocation, options] { return run_on_all_ranks(invocation, *options); };
+  });
+}
+
+void add_plan(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<PlanOptions>();
+  CLI::App* command = app.add_subcommand("plan", "Check a sweep spec and say what it would take; nothing is run");
+  command->add_option("spec", options->spec, "The sweep spec, a TOML file")->required()->type_name("SPEC.toml");
+  command->add_option("--ranks", options->ranks, "For this many MPI ranks")
+      ->check(CLI::Range(1, 1 << 20).description(""))->capture_default_str()->type_name("R");
+  command->add_flag("--json", options->json, "One JSON document; times in seconds");
+  command->footer("\n  sigmasweep plan fig2a.toml --ranks 64");
+  command->callback([&invocation, options] { invocation.command = [options] { return plan(*options); }; });
+}
+
+void add_one(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<OneOptions>();
+  CLI::App* command = app.add_subcommand("one", "Compute one tuple, now");
+  for (const Field& field : parameter_fields()) {
+    const std::string unit = field.unit == "1" ? "" : fmt::format(" ({})", field.unit);
+    command
+        ->add_option_function<std::string>(
+            option_names(field.name),
+            [options, name = field.name](const std::string& typed) { options->given[name] = typed; },
+            std::string(field.meaning) + unit)
+        ->check(check_of(field))->type_name(type_name_of(field));
+  }
+  command->add_flag("--json", options->json, "One JSON document: field names and values");
+  command->footer("\nGive v0, tc, N, epsilon, and s0 or sigma; the rest has defaults (method md, integrator exact, wall paper).\n\n"
+                  "  sigmasweep one --v0 1 --tc 2e-5 --s0 1e-6 --N 10 --epsilon 0.9\n"
+                  "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --steps-per-tc 500");
+  command->callback([&invocation, options] { invocation.command = [options] { return one(*options); }; });
+}
+
+void add_plot(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<PlotOptions>();
+  CLI::App* command = app.add_subcommand("plot", "Draw a table as its spec says");
+  const auto scales = CLI::IsMember({"linear", "log"}).description("");
+  command->add_option("table", options->table, "A table that 'run' wrote")->required()->type_name("TABLE.h5");
+  command->add_option("-o,--output", options->output, "The picture; default: the table's name with .svg, here")
+      ->type_name("FILE.svg|png|pdf");
+  command->add_option("--x", options->x, "Another field for the x axis")->type_name("FIELD");
+  command->add_option("--y", options->y, "Another field for the y axis")->type_name("FIELD");
+  command->add_option("--x-scale", options->x_scale, "Of the x axis")->check(scales)->type_name("linear|log");
+  command->add_option("--y-scale", options->y_scale, "Of the y axis")->check(scales)->type_name("linear|log");
+  command->add_option("--series", options->series, "Fields: one curve for each combination of their values")
+      ->delimiter(',')->type_name("FIELD,...");
+  command->footer("\n  sigmasweep plot fig2a.h5 -o fig2a.png\n"
+                  "  sigmasweep plot fig2a.h5 --y t_k --y-scale log -o t_k.svg");
+  command->callback([&invocation, options] { invocation.command = [options] { return plot(*options); }; });
+}
+
+void add_show(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<ShowOptions>();
+  CLI::App* command = app.add_subcommand("show", "Look at a table");
+  command->add_option("table", options->table, "A table that 'run' wrote")->required()->type_name("TABLE.h5");
+  command->add_option("--where", options->where, "Only rows for which this holds, as in a spec")->type_name("CONDITION");
+  command->add_flag("--failed", options->failed, "Only failed rows, each with the command that repeats it");
+  command->add_option_function<std::uint64_t>(
+             "--limit",
+             [options](std::uint64_t limit) {
+               options->limit = limit;
+               options->limited = true;
+             },
+             fmt::format("At most this many rows, 0: all; default {}, with --json all", default_limit))
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40).description(""))->type_name("ROWS");
+  command->add_flag("--json", options->json, "One JSON document");
+  command->footer("\n  sigmasweep show fig2a.h5 --where \"method == md && sigma > 1 && eps_eff < 0.5\" --limit 10");
+  command->callback([&invocation, options] { invocation.command = [options] { return show(*options); }; });
+}
+
+void add_export(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App* command = app.add_subcommand("export", "Write a table as CSV");
+  command->add_option("table", options->table, "A table that 'run' wrote")->required()->type_name("TABLE.h5");
+  command->add_option("-o,--output", options->output, "The file; default: standard output")->type_name("FILE.csv");
+  command->add_flag("--timings", options->timings, "With run time, predicted time, rank and attempt");
+  command->footer("\nRFC 4180, a header with the fields' names, numbers to the bit; nan where there is no result.");
+  command->callback([&invocation, options] { invocation.command = [options] { return export_csv(*options); }; });
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, Invocation& invocation) {
+  add_run(app, invocation);
+  add_plan(app, invocation);
+  add_one(app, invocation);
+  add_plot(app, invocation);
+  add_show(app, invocation);
+  add_export(app, invocation);
+}
+
+}  // namespace sigmasweep

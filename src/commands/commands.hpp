@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "run.hpp"
+
+/// What the program can do. Each command returns the exit code and throws Error; only one process calls it, but for run.
+namespace sigmasweep {
+
+/// Starts MPI and runs the sweep, on all ranks.
+int run_on_all_ranks(int& argc, char**& argv, const RunOptions& options);
+
+struct PlanOptions {
+  std::string spec;
+  int ranks = 1;
+  bool json = false;
+};
+int plan(const PlanOptions& options);
+
+struct OneOptions {
+  std::map<std::string_view, std::string> given;  ///< parameter: value as typed
+  bool json = false;
+};
+int one(const OneOptions& options);
+
+struct PlotOptions {
+  std::string table, output, x, y, x_scale, y_scale;
+  std::vector<std::string> series;
+};
+int plot(const PlotOptions& options);
+
+struct ShowOptions {
+  std::string table, where;
+  bool failed = false, json = false;
+  std::uint64_t limit = 0;
+  bool limited = false;
+};
+int show(const ShowOptions& options);
+
+struct ExportOptions {
+  std::string table, output;
+  bool timings = false;
+};
+int export_csv(const ExportOptions& options);
+
+}  // namespace sigmasweep

@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <map>
+
+#include "commands.hpp"
+#include "engine_compute.hpp"
+#include "json_row.hpp"
+#include "sigmasweep/errors.hpp"
+#include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// The value as TOML writes it: what a number is was checked before.
+std::string toml_value(const Field& field, const std::string& typed) {
+  if (!enumerators(field.type).empty()) return fmt::format("\"{}\"", typed);
+  return field.type == FieldType::real ? fmt::format("{}", std::stod(typed)) : typed;
+}
+
+/// The tuple, as a sweep of one row: the spec knows what may be given together and says what is wrong.
+Sweep sweep_of(const OneOptions& options) {
+  const std::string file = "command line";
+  std::string spec = "[sweep]\n";
+  for (const Field& field : parameter_fields())
+    if (const auto value = options.given.find(field.name); value != options.given.end())
+      spec += fmt::format("{} = {}\n", field.name, toml_value(field, value->second));
+  try {
+    return Sweep::parse(spec, file);
+  } catch (const SpecError& error) {  // "command line:3: sweep.s0 = -1: why"
+    std::string message = error.what();
+    if (const auto place = message.find(": "); message.starts_with(file) && place != std::string::npos)
+      message.erase(0, place + 2);
+    for (const std::string_view prefix : {"sweep.", "sweep: "})
+      if (message.starts_with(prefix)) message.erase(0, prefix.size());
+    throw UsageError(message + " (see sigmasweep one --help)");
+  }
+}
+
+std::string readable(const Field& field, const Row& row) {
+  const std::string value =
+      field.type == FieldType::real ? fmt::format("{:.10g}", number(field, row)) : text(field, row);
+  return field.unit == "1" ? value : fmt::format("{} {}", value, field.unit);
+}
+
+void print_result(const std::vector<Field>& columns, const Row& row) {
+  for (const Field& field : columns)
+    if (field.name == "eps_eff")
+      fmt::print("\n{:<12} {:<24} {}\n", field.name,
+                 fmt::format("{:.12g} +- {:.1g}", row.collision.eps_eff, row.collision.eps_eff_error), field.meaning);
+    else if (field.name != "eps_eff_error")
+      fmt::print("{:<12} {:<24} {}\n", field.name, readable(field, row), field.meaning);
+  fmt::print("\n{:.3g} ms of computing\n", 1e3 * row.timing.run_time);
+}
+
+}  // namespace
+
+int one(const OneOptions& options) {
+  const Sweep sweep = sweep_of(options);
+  const Row row = compute_row({.index = 0, .parameters = sweep.at(0)}, 0);
+  std::vector<Field> columns;  // what a table would have, and what was given
+  for (const Field& field : parameter_fields()) {
+    const bool column = std::ranges::any_of(sweep.columns(), [&](const Field& f) { return f.name == field.name; });
+    if (column || options.given.contains(field.name)) columns.push_back(field);
+  }
+  columns.insert(columns.end(), result_fields().begin(), result_fields().end());
+  if (options.json) fmt::print("{}\n", json_of(columns, row).dump(2));
+  else print_result(columns, row);
+  return is_success(row.collision.status) ? 0 : 1;
+}
+
+}  // namespace sigmasweep

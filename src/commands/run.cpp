@@ -1,0 +1,218 @@
+#include "run.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine_compute.hpp"
+#include "engine_ledger.hpp"
+#include "engine_stop.hpp"
+#include "sigmasweep/errors.hpp"
+#include "sigmasweep/report/progress.hpp"
+#include "sigmasweep/report/summary.hpp"
+#include "sigmasweep/store/table.hpp"
+#include "sigmasweep/sweep/cost.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+
+namespace sigmasweep {
+namespace {
+
+constexpr int success = 0, some_rows_failed = 1, stopped = 75, internal_error = 70;
+constexpr int dedicated_manager_from = 17;  // ranks: what a manager that only manages may cost, 6 %
+
+/// Does `step` on the manager; all ranks learn how it went. The manager throws what the step threw, the other ranks
+/// return its exit code.
+template <class Step>
+int on_manager(const World& world, Step step) {
+  std::exception_ptr error;
+  int code = success;
+  if (world.is_manager()) {
+    try {
+      code = step();
+    } catch (const Error& e) {
+      code = e.exit_code();
+      error = std::current_exception();
+    } catch (const std::exception&) {
+      code = internal_error;
+      error = std::current_exception();
+    }
+  }
+  code = static_cast<int>(world.broadcast(std::int64_t{code}));
+  if (error) std::rethrow_exception(error);
+  return code;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string host_name() {
+  char name[256] = "";
+  return gethostname(name, sizeof name - 1) == 0 ? name : "?";
+}
+
+std::string utc_now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
+}
+
+/// The run on one rank. Every member function is called on all ranks alike, except those that say otherwise.
+class Run {
+ public:
+  Run(World& world, const RunOptions& options)
+      : world_(world), options_(options), stop_(options.max_seconds),
+        table_(options.output.empty() ? default_table(options.spec) : options.output) {}
+
+  int operator()() {
+    if (const int code = begin(); code != success) return code;
+    if (world_.broadcast(std::int64_t{ledger_ && ledger_->table_is_complete()}) == 0) {
+      if (const int code = compute(); code != success) return code;
+      if (const int code = write(); code != success) return code;
+    }
+    return on_manager(world_, [this] { return finish(); });
+  }
+
+ private:
+  int begin();
+  int compute();
+  int write();
+  int finish();               // on the manager
+  Schedule schedule() const;  // on the manager
+  void take(const Row& row);  // on the manager
+  bool manager_computes() const;
+
+  void say(const std::string& what) const {
+    if (!options_.quiet) std::fputs(what.c_str(), stderr);  // if nobody can read it, the run goes on
+  }
+
+  World& world_;
+  const RunOptions& options_;
+  const StopRequest stop_;
+  const std::string table_, start_ = utc_now();
+  std::optional<Sweep> sweep_;
+  // the manager's:
+  std::optional<Ledger> ledger_;
+  std::optional<Progress> progress_;
+  std::exception_ptr trouble_;  // with the journal, while rows came in
+  Work work_;
+  double wall_seconds_ = 0.0;
+};
+
+int Run::begin() {
+  const int code = on_manager(world_, [this] {
+    sweep_ = Sweep::load(options_.spec);
+    ledger_.emplace(*sweep_, table_, options_.fresh);
+    if (ledger_->table_is_complete())
+      say(fmt::format("sigmasweep: {} is complete, nothing to compute (--fresh starts again)\n", table_));
+    else if (ledger_->kept() > 0)
+      say(fmt::format("sigmasweep: going on with {} of {} rows\n", ledger_->kept(), sweep_->size()));
+    return success;
+  });
+  if (code != success) return code;
+  const std::string text = world_.broadcast(sweep_ ? sweep_->text() : "");
+  if (!sweep_) sweep_ = Sweep::parse(text, options_.spec);
+  return success;
+}
+
+bool Run::manager_computes() const {
+  const ManagerRole role = sweep_->manager();
+  return world_.size() == 1 || role == ManagerRole::computes ||
+         (role == ManagerRole::automatic && world_.size() < dedicated_manager_from);
+}
+
+Schedule Run::schedule() const {
+  auto rows = ledger_->missing();
+  std::vector<double> seconds;
+  seconds.reserve(rows.size());
+  for (const std::uint64_t row : rows) seconds.push_back(predicted_time(sweep_->at(row)));
+  return Schedule(std::move(rows), std::move(seconds), manager_computes() ? world_.size() : world_.size() - 1);
+}
+
+int Run::compute() {
+  std::optional<Schedule> to_do;
+  const int ready = on_manager(world_, [&] {
+    to_do.emplace(schedule());
+    progress_.emplace(sweep_->size() - ledger_->kept(), to_do->total_seconds(), world_.size(), options_.quiet);
+    return success;
+  });
+  if (ready != success) return ready;
+
+  Job job;
+  job.tuple = [this](std::uint64_t row) { return sweep_->at(row); };
+  job.compute = [rank = world_.rank()](const Tuple& tuple) { return compute_row(tuple, rank); };
+  job.finished = [this](const Row& row) { take(row); };
+  job.stop = [this] {
+    if (progress_) progress_->add(0, 0.0);
+    return trouble_ || stop_.made();
+  };
+  job.manager_computes = manager_computes();
+  const auto start = std::chrono::steady_clock::now();
+  distribute(world_, to_do ? &*to_do : nullptr, job);
+  wall_seconds_ = seconds_since(start);
+
+  return on_manager(world_, [this] {
+    progress_->finish();
+    if (trouble_) std::rethrow_exception(trouble_);
+    ledger_->sync();
+    if (ledger_->is_complete()) return success;
+    std::fputs(fmt::format("sigmasweep: stopped on purpose with {} of {} rows done; run it again{} to go on\n",
+                           ledger_->there(), sweep_->size(), options_.fresh ? " without --fresh" : "").c_str(), stderr);
+    return stopped;
+  });
+}
+
+void Run::take(const Row& row) {
+  if (trouble_) return;
+  try {
+    ledger_->enter(row);
+    work_.add(row);
+    progress_->add(1, row.timing.predicted_time);
+  } catch (...) {
+    trouble_ = std::current_exception();  // stops the run
+  }
+}
+
+int Run::write() {
+  TableInfo info;  // the manager's counts
+  info.title = sweep_->title();
+  info.spec_text = sweep_->text();
+  info.spec_hash = sweep_->hash();
+  info.host = host_name();
+  info.start = start_;
+  info.ranks = world_.size();
+  const auto rows = world_.scatter(ledger_ ? ledger_->rows() : std::vector<Row>{}, sweep_->size());
+  try {
+    write_table(static_cast<MPI_Comm>(world_.native()), table_, info, sweep_->columns(), sweep_->size(),
+                world_.block(sweep_->size()).first, rows);
+  } catch (const Error& error) {  // the same on all ranks; the manager's is enough
+    if (world_.is_manager()) throw;
+    return error.exit_code();
+  }
+  return success;
+}
+
+int Run::finish() {
+  ledger_->close();
+  say(fmt::format("{}: {}", table_, summary(ledger_->rows(), work_, world_.size(), wall_seconds_)));
+  const bool fine = std::all_of(ledger_->rows().begin(), ledger_->rows().end(),
+                                [](const Row& row) { return is_success(row.collision.status); });
+  return fine ? success : some_rows_failed;
+}
+
+}  // namespace
+
+std::string default_table(const std::string& spec) {
+  return std::filesystem::path(spec).filename().replace_extension(".h5").string();
+}
+
+int run(World& world, const RunOptions& options) { return Run(world, options)(); }
+
+}  // namespace sigmasweep

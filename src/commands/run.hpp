@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "sigmasweep/comm/world.hpp"
+
+namespace sigmasweep {
+
+struct RunOptions {
+  std::string spec;          ///< path of the sweep spec
+  std::string output;        ///< path of the table; empty: default_table(spec)
+  bool fresh = false;        ///< start again, whatever is there
+  bool quiet = false;        ///< neither progress nor summary
+  double max_seconds = 0.0;  ///< stop on purpose after this long; 0: never
+};
+
+/// The spec's name with .h5 for .toml, in the current directory.
+std::string default_table(const std::string& spec);
+
+/// `sigmasweep run`, on all ranks; the same exit code on each: 0 all rows fine, 1 some rows failed, 75 stopped on
+/// purpose. An Error is thrown on the manager alone, the other ranks return its exit code: one message, no rank waits.
+int run(World& world, const RunOptions& options);
+
+}  // namespace sigmasweep

@@ -1,0 +1,36 @@
+#include <exception>
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "run.hpp"
+#include "sigmasweep/comm/world.hpp"
+#include "sigmasweep/errors.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// What one rank alone runs into ends all: nobody must wait for it.
+[[noreturn]] void abort_all(const World& world, int exit_code, const char* what) {
+  fmt::print(stderr, "sigmasweep: rank {}: {}\n", world.rank(), what);
+  world.abort(exit_code);
+}
+
+}  // namespace
+
+int run_on_all_ranks(int& argc, char**& argv, const RunOptions& options) {
+  constexpr int internal_error = 70;
+  World world(argc, argv);
+  try {
+    return run(world, options);
+  } catch (const Error& error) {
+    if (!world.is_manager()) abort_all(world, error.exit_code(), error.what());
+    // The other ranks know, and leave with the same code. Say it before MPI ends: once the first of them is gone,
+    // mpirun may end this rank too.
+    fmt::print(stderr, "sigmasweep: {}\n", error.what());
+    return error.exit_code();
+  } catch (const std::exception& error) {
+    abort_all(world, internal_error, error.what());
+  }
+}
+
+}  // namespace sigmasweep

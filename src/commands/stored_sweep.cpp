@@ -1,0 +1,68 @@
+#include "stored_sweep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+#include "sigmasweep/errors.hpp"
+#include "sigmasweep/scene/names.hpp"
+
+namespace sigmasweep {
+
+StoredSweep read_stored_sweep(const std::string& path) {
+  StoredSweep stored{read_table(path), std::nullopt};
+  try {
+    stored.sweep = Sweep::parse(stored.table.info.spec_text, path);
+  } catch (const SpecError&) {  // of another version: the table itself is still good
+    return stored;
+  }
+  auto& rows = stored.table.rows;
+  if (stored.sweep->size() != rows.size()) throw IoError(fmt::format("{}: its rows are not those of its spec", path));
+  for (std::uint64_t k = 0; k < rows.size(); ++k) rows[k].parameters = stored.sweep->at(k);
+  return stored;
+}
+
+std::string rows_by_status(std::span<const Row> rows) {
+  const auto names = names_of<Status>();
+  std::vector<std::uint64_t> counts(names.size());
+  for (const Row& row : rows) ++counts.at(static_cast<std::size_t>(row.collision.status));
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (counts[i] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", names[i], counts[i]);
+  return text;
+}
+
+std::vector<Field> all_fields() {
+  std::vector<Field> fields;
+  for (const auto part : {parameter_fields(), result_fields(), timing_fields()})
+    fields.insert(fields.end(), part.begin(), part.end());
+  return fields;
+}
+
+bool is_used(const Field& field, const Parameters& parameters) {
+  const bool soft = parameters.method == Method::md, exact = parameters.integrator == Integrator::exact;
+  if (field.name == "integrator") return soft;
+  if (field.name == "tolerance") return soft && exact;
+  if (field.name == "steps_per_tc") return soft && !exact;
+  return true;
+}
+
+std::string repeat_command(const Row& row) {
+  // Both of s0 and sigma are stored; give the one that the other follows from to the bit.
+  const Parameters& p = row.parameters;
+  const bool from_s0 = complete(p, Gap::s0).sigma == p.sigma;
+  const Row defaults;
+  std::string command = "sigmasweep one";
+  for (const Field& field : parameter_fields()) {
+    if (field.name == (from_s0 ? "sigma" : "s0")) continue;
+    static constexpr auto always = std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "epsilon"});
+    const bool needed = std::find(always.begin(), always.end(), field.name) != always.end();
+    if (!needed && (!is_used(field, p) || number(field, row) == number(field, defaults))) continue;
+    std::string option(field.name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    command += fmt::format(" --{} {}", option, text(field, row));
+  }
+  return command;
+}
+
+}  // namespace sigmasweep

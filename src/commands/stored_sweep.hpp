@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sigmasweep/store/table.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+
+namespace sigmasweep {
+
+/// A table with the sweep that it came from.
+struct StoredSweep {
+  Table table;
+  std::optional<Sweep> sweep;  ///< not there if this program cannot read the table's spec any more
+};
+
+/// Reads a table. Parameters that are no columns are filled in from its spec. Throws as read_table().
+StoredSweep read_stored_sweep(const std::string& path);
+
+/// "ok 2005, time_limit 5".
+std::string rows_by_status(std::span<const Row> rows);
+
+/// Parameters, results and timings: all that a condition on a finished row may name.
+std::vector<Field> all_fields();
+
+/// Whether the solver that `parameters` choose looks at this parameter.
+bool is_used(const Field& field, const Parameters& parameters);
+
+/// The command line that computes this row again, to the bit.
+std::string repeat_command(const Row& row);
+
+}  // namespace sigmasweep

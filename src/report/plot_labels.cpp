@@ -1,0 +1,98 @@
+#include "plot_labels.hpp"
+
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <string_view>
+
+namespace sigmasweep::plot {
+namespace {
+
+struct Symbol {
+  std::string_view name, symbol, axis;  ///< axis: empty where the symbol says it all
+};
+
+constexpr auto symbols = std::to_array<Symbol>({
+    {"v0", "{/:Italic v}_0", ""},
+    {"tc", "{/:Italic t}_c", ""},
+    {"s0", "{/:Italic s}_0", ""},
+    {"sigma", "{/:Italic σ}", "{/:Italic σ} = {/:Italic s}_0 / ({/:Italic v}_0 {/:Italic t}_c)"},
+    {"epsilon", "{/:Italic ε}", ""},
+    {"d", "{/:Italic d}", ""},
+    {"N", "{/:Italic N}", ""},
+    {"steps_per_tc", "{/:Italic t}_c/Δ{/:Italic t}", ""},
+    {"eps_eff", "{/:Italic ε}_{eff}", "effective restitution {/:Italic ε}_{eff}"},
+    {"eps_eff_error", "δ{/:Italic ε}_{eff}", "estimated error of {/:Italic ε}_{eff}"},
+    {"Er_Ef", "{/:Italic E}_r/{/:Italic E}_f", ""},
+    {"Er_E0", "{/:Italic E}_r/{/:Italic E}_0", ""},
+    {"v_cm", "{/:Italic v}_{cm}/{/:Italic v}_0", ""},
+    {"t_k", "{/:Italic t}_k", "contact time of the column {/:Italic t}_k"},
+    {"x_max", "{/:Italic x}_{max}", "largest overlap {/:Italic x}_{max}"},
+});
+
+std::string spaced(std::string_view name) {
+  std::string words(name);
+  for (char& c : words)
+    if (c == '_') c = ' ';
+  return words;
+}
+
+bool is_number(FieldType type) {
+  return type == FieldType::real || type == FieldType::integer || type == FieldType::unsigned_integer ||
+         type == FieldType::integer32;
+}
+
+std::string scientific(double value) {
+  std::string text = fmt::format("{:.5e}", value);
+  const auto e = text.find('e');
+  auto last = text.find_last_not_of('0', e - 1);
+  if (text[last] == '.') --last;
+  return text.erase(last + 1, e - last - 1);
+}
+
+}  // namespace
+
+std::string symbol_of(const Field& field) {
+  for (const auto& s : symbols)
+    if (s.name == field.name) return std::string(s.symbol);
+  return escape_markup(spaced(field.name));
+}
+
+std::string escape_markup(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string_view("\\^_@&~{}").find(c) != std::string_view::npos) out += '\\';
+    out += std::iscntrl(static_cast<unsigned char>(c)) ? ' ' : c;
+  }
+  return out;
+}
+
+std::string pretty(double value) {
+  const bool tiny = value != 0.0 && std::abs(value) < 1e-3;  // where {:g} would still write zeros
+  const std::string plain = tiny ? scientific(value) : fmt::format("{:.6g}", value);
+  const auto e = plain.find('e');
+  if (e == std::string::npos) return plain;
+  const std::string power = fmt::format("10^{{{}}}", std::stoi(plain.substr(e + 1)));
+  const std::string mantissa = plain.substr(0, e);
+  if (mantissa == "1") return power;
+  return mantissa + "×" + power;
+}
+
+std::string axis_label(const Field& field) {
+  std::string label = symbol_of(field);
+  for (const auto& s : symbols)
+    if (s.name == field.name && !s.axis.empty()) label = s.axis;
+  if (field.unit != "1" && !field.unit.empty()) label += fmt::format(" ({})", escape_markup(field.unit));
+  return label;
+}
+
+std::string value_label(const Field& field, const Row& row) {
+  if (field.type == FieldType::method) return row.parameters.method == Method::ed ? "ED" : "MD";
+  if (!is_number(field.type)) return escape_markup(field.name) + " " + escape_markup(text(field, row));
+  std::string label = symbol_of(field) + " = " + pretty(number(field, row));
+  if (field.unit != "1" && !field.unit.empty()) label += " " + escape_markup(field.unit);
+  return label;
+}
+
+}  // namespace sigmasweep::plot

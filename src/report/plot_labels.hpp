@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "sigmasweep/sweep/fields.hpp"
+
+/// The paper's symbols for our names, in gnuplot's enhanced text.
+namespace sigmasweep::plot {
+
+/// The paper's symbol; the name where it has none.
+std::string symbol_of(const Field& field);
+
+/// For an axis: symbol, meaning where it is a definition, and unit.
+std::string axis_label(const Field& field);
+
+/// For the key: "v_0 = 14 m/s".
+std::string value_label(const Field& field, const Row& row);
+
+/// A number as people write it: 2.5x10^{-6}.
+std::string pretty(double value);
+
+/// Text in which gnuplot finds no markup.
+std::string escape_markup(std::string_view text);
+
+}  // namespace sigmasweep::plot

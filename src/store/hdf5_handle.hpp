@@ -1,0 +1,48 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <string>
+
+/// HDF5 with C++ manners: owners that close, statuses that throw.
+namespace sigmasweep {
+
+/// Keeps HDF5 from printing its errors while it lives (they go into exceptions). First thing in every public function
+/// that uses HDF5.
+class Hdf5Session {
+ public:
+  Hdf5Session();
+  ~Hdf5Session();
+  Hdf5Session(const Hdf5Session&) = delete;
+  Hdf5Session& operator=(const Hdf5Session&) = delete;
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* print_data_ = nullptr;
+};
+
+/// `status` if it is not negative, HDF5's sign of failure; else throws IoError with `what` and HDF5's own words.
+std::int64_t check(std::int64_t status, const std::string& what);
+
+/// Owner of an HDF5 identifier of any kind.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle() = default;
+  /// Takes what an HDF5 call returned; throws IoError with `what` if it is a failure.
+  Handle(hid_t id, Close how, const std::string& what) : id_(check(id, what)), close_(how) {}
+  ~Handle() { reset(); }
+  Handle(Handle&& other) noexcept;
+  Handle& operator=(Handle&& other) noexcept;
+  operator hid_t() const { return id_; }
+  /// Closes now. Throws IoError with `what`.
+  void close(const std::string& what) { check(reset(), what); }
+
+ private:
+  herr_t reset() noexcept;
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+}  // namespace sigmasweep

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+/// The few system calls that journal and table need, with retries and an owner for the descriptor.
+namespace sigmasweep {
+
+/// Owner of a file descriptor; closed with it, and never inherited by another program.
+class File {
+ public:
+  File() = default;
+  /// open(2). On failure is_open() is false and errno says why.
+  File(const std::string& path, int flags);
+  ~File() { close(); }
+  File(File&& other) noexcept;
+  File& operator=(File&& other) noexcept;
+  int fd() const { return fd_; }
+  bool is_open() const { return fd_ >= 0; }
+  void close();
+
+ private:
+  int fd_ = -1;
+};
+
+/// What errno's value means, in words.
+std::string reason(int error);
+
+/// Writes all of `bytes` at `offset`. Returns 0, or errno of what went wrong (some bytes may then have been written).
+int write_at(int fd, std::span<const std::byte> bytes, std::uint64_t offset);
+
+/// Reads up to bytes.size() bytes at `offset`, fewer only at the end of the file. Throws IoError naming `path`.
+std::size_t read_at(int fd, std::span<std::byte> bytes, std::uint64_t offset, const std::string& path);
+
+/// Makes creation, renaming or removal of `path` itself survive a power failure. Throws IoError.
+void sync_directory_of(const std::string& path);
+
+}  // namespace sigmasweep

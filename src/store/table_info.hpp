@@ -1,0 +1,27 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+
+#include "agreement.hpp"
+#include "sigmasweep/store/table.hpp"
+
+/// The root attributes of a table.
+namespace sigmasweep {
+
+/// Rank 0's, on every rank: HDF5 wants collective metadata to be the same everywhere.
+TableInfo common_info(const Team& team, TableInfo info);
+
+/// Collective, with a common info.
+void write_info(hid_t file, const TableInfo& info, std::uint64_t rows);
+
+struct StoredInfo {
+  TableInfo info;
+  std::uint64_t rows = 0;
+};
+
+/// Throws IoError for a file that is no table, or one of a format that this program does not know.
+StoredInfo read_info(hid_t file);
+
+}  // namespace sigmasweep

@@ -1,0 +1,177 @@
+#include "table_part.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "attributes.hpp"
+#include "packing.hpp"
+#include "posix.hpp"
+#include "table_info.hpp"
+#include "table_types.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// How many rows are packed or read at a time: bounds the memory, and keeps transfers far below MPI's 2 GiB.
+std::uint64_t rows_per_transfer(const Section& section) {
+  constexpr std::uint64_t bytes_per_transfer = std::uint64_t{32} << 20;
+  return bytes_per_transfer / packed_size(section.fields);
+}
+
+/// Checksum of a range of rows: that of each transfer, seeded with the one before.
+std::uint64_t add_to_checksum(std::uint64_t checksum, std::span<const std::byte> bytes) {
+  return XXH3_64bits_withSeed(bytes.data(), bytes.size(), checksum);
+}
+
+Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "cannot make a property list"}; }
+
+Handle create_file(const Team& team, const std::string& path) {
+  const Handle access = property_list(H5P_FILE_ACCESS);
+  check(H5Pset_fapl_mpio(access, team.comm(), MPI_INFO_NULL), "cannot choose MPI-IO");
+  check(H5Pset_coll_metadata_write(access, true), "cannot choose collective metadata");
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "cannot create"};
+}
+
+/// Contiguous, of known size, allocated at once and not filled; units and meanings as its attributes.
+Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows) {
+  const std::string what = "cannot create dataset " + section.name;
+  const Handle creation = property_list(H5P_DATASET_CREATE);
+  check(H5Pset_layout(creation, H5D_CONTIGUOUS), what);
+  check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), what);
+  check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), what);
+  check(H5Pset_obj_track_times(creation, false), what);
+  const hsize_t extent = rows;
+  const Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose, what);
+  Handle dataset(H5Dcreate2(file, section.name.c_str(), packed_type(section.fields), space, H5P_DEFAULT, creation,
+                            H5P_DEFAULT), H5Dclose, what);
+  for (const Field& field : section.fields) {
+    write_text(dataset, fmt::format("unit:{}", field.name), std::string(field.unit));
+    write_text(dataset, fmt::format("meaning:{}", field.name), std::string(field.meaning));
+  }
+  return dataset;
+}
+
+/// `rows` rows of the dataset from `first` on, or no rows.
+Handle select(hid_t dataset, std::uint64_t first, std::uint64_t rows) {
+  Handle space(H5Dget_space(dataset), H5Sclose, "cannot select rows");
+  const hsize_t start = first, count = rows;
+  check(rows == 0 ? H5Sselect_none(space)
+                  : H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &count, nullptr), "cannot select rows");
+  return space;
+}
+
+/// The same number of rows in memory.
+Handle memory_space(std::uint64_t rows) {
+  const hsize_t extent = std::max<std::uint64_t>(rows, 1);
+  Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose, "cannot select rows");
+  if (rows == 0) check(H5Sselect_none(space), "cannot select rows");
+  return space;
+}
+
+/// Collective: one write of all ranks' rows, or a few if there are very many. Returns the checksum of this rank's.
+std::uint64_t write_dataset(const Team& team, hid_t dataset, const Section& section, Block block) {
+  const std::string what = "cannot write dataset " + section.name;
+  const std::size_t row_size = packed_size(section.fields);
+  const std::uint64_t at_a_time = rows_per_transfer(section);
+  const std::uint64_t transfers = team.max((block.rows.size() + at_a_time - 1) / at_a_time);
+  std::vector<std::byte> buffer;
+  Handle transfer, type;
+  team.together([&] {
+    buffer.resize(row_size * std::clamp<std::uint64_t>(block.rows.size(), 1, at_a_time));
+    transfer = property_list(H5P_DATASET_XFER);
+    check(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE), what);
+    // All ranks call, but each writes its own contiguous bytes itself: nothing to gain from passing them on between
+    // the ranks first, and there Open MPI hangs when a write fails (disk full) and with some numbers of ranks.
+    check(H5Pset_dxpl_mpio_collective_opt(transfer, H5FD_MPIO_INDIVIDUAL_IO), what);
+    type = packed_type(section.fields);
+  });
+  std::uint64_t checksum = 0;
+  for (std::uint64_t i = 0; i < transfers; ++i) {
+    const auto rows = block.rows.subspan(0, std::min<std::uint64_t>(at_a_time, block.rows.size()));
+    team.together([&] {
+      for (std::size_t k = 0; k < rows.size(); ++k) pack(section.fields, rows[k], buffer.data() + k * row_size);
+      const Handle in_memory = memory_space(rows.size()), in_file = select(dataset, block.first, rows.size());
+      check(H5Dwrite(dataset, type, in_memory, in_file, transfer, buffer.data()), what);
+      if (!rows.empty()) checksum = add_to_checksum(checksum, std::span(buffer).first(rows.size() * row_size));
+    });
+    block = {block.first + rows.size(), block.rows.subspan(rows.size())};
+  }
+  return checksum;
+}
+
+std::uint64_t checksum_in_dataset(hid_t file, const Section& section, std::uint64_t total_rows, std::uint64_t first,
+                                  std::uint64_t rows) {
+  const std::string what = "cannot read dataset " + section.name + " back";
+  const Handle dataset(H5Dopen2(file, section.name.c_str(), H5P_DEFAULT), H5Dclose, what);
+  const Handle stored(H5Dget_type(dataset), H5Tclose, what), type = packed_type(section.fields);
+  const Handle space(H5Dget_space(dataset), H5Sclose, what);
+  if (H5Tequal(stored, type) <= 0 || H5Sget_simple_extent_npoints(space) != static_cast<hssize_t>(total_rows))
+    throw IoError(what + ": it is not what was written");
+  const std::size_t row_size = packed_size(section.fields);
+  const std::uint64_t at_a_time = rows_per_transfer(section);
+  std::vector<std::byte> buffer(row_size * std::clamp<std::uint64_t>(rows, 1, at_a_time));
+  std::uint64_t checksum = 0;
+  for (const std::uint64_t end = first + rows; first < end;) {
+    const std::uint64_t now = std::min(at_a_time, end - first);
+    const Handle in_memory = memory_space(now), in_file = select(dataset, first, now);
+    check(H5Dread(dataset, type, in_memory, in_file, H5P_DEFAULT, buffer.data()), what);
+    checksum = add_to_checksum(checksum, std::span(buffer).first(now * row_size));
+    first += now;
+  }
+  return checksum;
+}
+
+}  // namespace
+
+void reserve_space(const std::string& path, std::uint64_t bytes) {
+  const File file(path, O_WRONLY);
+  int error = file.is_open() ? 0 : errno;
+  while (error == 0 || error == EINTR) {
+    error = ::posix_fallocate(file.fd(), 0, static_cast<off_t>(bytes));
+    if (error == 0) return;
+  }
+  if (error == EINVAL || error == EOPNOTSUPP) return;  // a file system without: reading back must do
+  throw IoError(fmt::format("no room for {} bytes: {}", bytes, reason(error)));
+}
+
+std::vector<std::uint64_t> write_part(const Team& team, const std::string& path, const TableInfo& info,
+                                      std::span<const Section> sections, std::uint64_t total_rows, Block block) {
+  Handle file;
+  team.together([&] { file = create_file(team, path); });
+  const TableInfo common = common_info(team, info);
+  std::vector<Handle> datasets;
+  team.together([&] {
+    write_info(file, common, total_rows);
+    for (const Section& section : sections) datasets.push_back(create_dataset(file, section, total_rows));
+  });
+  team.together([&] {
+    hsize_t bytes = 0;  // with all metadata and the space of the datasets
+    check(H5Fget_filesize(file, &bytes), "cannot ask for the file's size");
+    if (team.rank() == 0) reserve_space(path, bytes);
+  });
+  std::vector<std::uint64_t> checksums;
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    checksums.push_back(write_dataset(team, datasets[i], sections[i], block));
+  team.together([&] {
+    for (Handle& dataset : datasets) dataset.close("cannot close a dataset");
+    check(H5Fflush(file, H5F_SCOPE_GLOBAL), "cannot sync");  // every rank brings its own writes to the disk
+    file.close("cannot close");
+  });
+  return checksums;
+}
+
+std::vector<std::uint64_t> checksums_in_part(const std::string& path, std::span<const Section> sections,
+                                             std::uint64_t total_rows, std::uint64_t first, std::uint64_t rows) {
+  const Handle file = open_for_reading(path);
+  if (read_info(file).rows != total_rows) throw IoError("the root attributes are not what was written");
+  std::vector<std::uint64_t> checksums;
+  for (const Section& section : sections)
+    checksums.push_back(checksum_in_dataset(file, section, total_rows, first, rows));
+  return checksums;
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,108 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+
+#include "agreement.hpp"
+#include "hdf5_handle.hpp"
+#include "packing.hpp"
+#include "posix.hpp"
+#include "sigmasweep/store/table.hpp"
+#include "table_part.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// Rank 0 makes an empty file and finds out whether the disk has room for what it will be, before HDF5 is asked to do
+/// anything: with a full disk HDF5 over MPI-IO reports success all along.
+void prepare(const std::string& path, const std::string& part, std::uint64_t bytes) {
+  struct stat there {};
+  if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
+    throw OutputError(fmt::format("{} is there already and is no file", path));
+  if (!File(part, O_RDWR | O_CREAT | O_TRUNC).is_open())
+    throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
+  reserve_space(part, bytes);
+}
+
+/// The ranks' file systems may differ, and a rank that cannot open the file would leave the others waiting for it.
+void see_same_file(const std::string& part, int rank) {
+  if (!File(part, O_RDWR).is_open())
+    throw OutputError(fmt::format("rank {} cannot open {}, which rank 0 created: {}. All ranks need the same file "
+                                  "system", rank, part, reason(errno)));
+}
+
+/// The blocks must cover the table; nothing would fill a gap.
+void check_blocks(const Team& team, std::uint64_t total_rows, const Block& block) {
+  const std::uint64_t rows = team.sum(block.rows.size());
+  team.together([&] {
+    bool right = rows == total_rows;
+    for (std::size_t k = 0; k < block.rows.size(); ++k) right = right && block.rows[k].index == block.first + k;
+    if (!right) throw std::logic_error(fmt::format("the ranks' blocks do not make up {} rows", total_rows));
+  });
+}
+
+/// Every rank reads what the next one wrote: its own rows it might find in its own machine's memory.
+void read_back(const Team& team, const std::string& part, std::span<const Section> sections,
+               std::uint64_t total_rows, const Block& block, const std::vector<std::uint64_t>& checksums) {
+  std::vector<std::uint64_t> message{block.first, block.rows.size()};
+  message.insert(message.end(), checksums.begin(), checksums.end());
+  const int before = (team.rank() + team.size() - 1) % team.size(), next = (team.rank() + 1) % team.size();
+  check_mpi(MPI_Sendrecv_replace(message.data(), static_cast<int>(message.size()), MPI_UINT64_T, before, 0, next, 0,
+                                 team.comm(), MPI_STATUS_IGNORE), "cannot exchange checksums");
+  team.together([&] {
+    const auto found = checksums_in_part(part, sections, total_rows, message[0], message[1]);
+    for (std::size_t i = 0; i < sections.size(); ++i)
+      if (found[i] != message[2 + i])
+        throw IoError(fmt::format("rows {} to {} of {} read back are not what was written", message[0],
+                                  message[0] + message[1] - 1, sections[i].name));
+  });
+}
+
+/// From here on PATH is there, whole, whatever happens.
+void publish(const std::string& part, const std::string& path) {
+  const File file(part, O_RDWR);
+  if (!file.is_open() || ::fsync(file.fd()) != 0) throw IoError(fmt::format("cannot sync: {}", reason(errno)));
+  if (std::rename(part.c_str(), path.c_str()) != 0)
+    throw OutputError(fmt::format("cannot rename {}: {}", part, reason(errno)));
+  sync_directory_of(path);
+}
+
+void write_together(const Team& team, const std::string& path, const TableInfo& info,
+                    std::span<const Section> sections, std::uint64_t total_rows, const Block& block) {
+  const std::string part = path + ".part";
+  std::uint64_t bytes = (std::uint64_t{1} << 16) + 2 * (info.title.size() + info.spec_text.size());
+  for (const Section& section : sections) bytes += total_rows * packed_size(section.fields);
+  check_blocks(team, total_rows, block);
+  try {
+    team.together([&] { if (team.rank() == 0) prepare(path, part, bytes); });
+    team.together([&] { see_same_file(part, team.rank()); });
+    const auto checksums = write_part(team, part, info, sections, total_rows, block);
+    read_back(team, part, sections, total_rows, block, checksums);
+    team.together([&] { if (team.rank() == 0) publish(part, path); });
+  } catch (const Error&) {
+    if (team.rank() == 0) ::unlink(part.c_str());
+    throw;
+  }
+}
+
+}  // namespace
+
+void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
+                 std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block) {
+  const Hdf5Session session;
+  const Team team(comm);
+  const std::array sections{Section{"results", columns}, Section{"timings", timing_fields()}};
+  try {
+    write_together(team, path, info, sections, total_rows, {first, block});
+  } catch (const OutputError& error) {
+    throw OutputError(fmt::format("cannot write {}: {}", path, error.what()));
+  } catch (const IoError& error) {
+    throw IoError(fmt::format("cannot write {}: {}", path, error.what()));
+  }
+}
+
+}  // namespace sigmasweep

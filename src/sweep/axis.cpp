@@ -1,0 +1,122 @@
+#include "sigmasweep/sweep/axis.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace sigmasweep {
+namespace {
+
+/// Axes up to this length are computed once.
+constexpr std::uint64_t tabulate_up_to = 4096;
+
+/// The shortest decimal that reads back as `value`, in extended precision: 1e-7 to 19 digits, not to 16.
+long double as_written(double value) {
+  const std::string decimal = fmt::format("{}", value);
+  long double exact = value;
+  std::from_chars(decimal.data(), decimal.data() + decimal.size(), exact);
+  return exact;
+}
+
+}  // namespace
+
+Axis::Scale::Scale(const Interval& given)
+    : interval(given), start(as_written(given.from)), end(as_written(given.to)) {
+  if (!interval.log) return;
+  start = std::log(start);
+  end = std::log(end);
+}
+
+double Axis::Scale::divided(long double from_start, long double to_end) const {
+  const long double mean = (start * to_end + end * from_start) / (from_start + to_end);
+  const long double value = interval.log ? std::exp(mean) : mean;
+  const auto [low, high] = std::minmax(interval.from, interval.to);
+  return std::clamp(static_cast<double>(interval.whole ? std::round(value) : value), low, high);
+}
+
+double Axis::Range::point(std::uint64_t k) const {
+  if (k == 0) return scale.interval.from;
+  if (k == count - 1) return scale.interval.to;
+  return scale.divided(static_cast<long double>(k), static_cast<long double>(count - 1 - k));
+}
+
+double Axis::Sample::point(std::uint64_t k) const {
+  const double u = unit(k);
+  const Interval& interval = scale.interval;
+  if (!interval.whole || interval.log) return scale.divided(u, 1.0L - u);
+  // Each whole number gets the same share of [0, 1).
+  return std::min(interval.to, interval.from + std::floor(u * (interval.to - interval.from + 1.0)));
+}
+
+bool has_whole_step(const Interval& interval, std::uint64_t count) {
+  if (count < 2) return true;
+  return std::fmod(interval.to - interval.from, static_cast<double>(count - 1)) == 0.0;
+}
+
+Axis Axis::list(std::vector<double> values) { return Axis(Values(std::move(values))); }
+
+Axis Axis::range(const Interval& interval, std::uint64_t count) {
+  assert(count > 0);
+  const Range range{Scale(interval), count};
+  if (!interval.whole || !interval.log) return Axis(Values(range)).tabulated();
+  std::vector<double> values;
+  for (std::uint64_t k = 0; k < count; ++k)
+    if (const double value = range.point(k); values.empty() || values.back() != value) values.push_back(value);
+  return list(std::move(values));
+}
+
+Axis Axis::sample(const Interval& interval, std::uint64_t count, const Sampling& sampling) {
+  assert(count > 0);
+  return Axis(Values(Sample{Scale(interval), count, sampling, SobolDimension(sampling.dimension)})).tabulated();
+}
+
+Axis Axis::tabulated() && {
+  if (size() > tabulate_up_to) return std::move(*this);
+  std::vector<double> values(size());
+  for (std::uint64_t k = 0; k < values.size(); ++k) values[k] = (*this)[k];
+  return list(std::move(values));
+}
+
+double Axis::Sample::unit(std::uint64_t k) const {
+  switch (sampling.kind) {
+    case SampleKind::uniform: return unit_interval(random_bits(sampling.key, k));
+    case SampleKind::sobol: return unit_interval(sobol.bits(k) ^ sampling.key);
+    case SampleKind::latin_hypercube: {
+      // One value in each of `count` equal strata, the strata in shuffled order.
+      const std::uint64_t stratum = shuffled(k, count, random_bits(sampling.key, count));
+      const double within = unit_interval(random_bits(sampling.key, k));
+      return (static_cast<double>(stratum) + within) / static_cast<double>(count);
+    }
+  }
+  assert(false);
+  return 0.0;
+}
+
+std::uint64_t Axis::size() const {
+  if (const auto* values = std::get_if<std::vector<double>>(&values_)) return values->size();
+  if (const auto* range = std::get_if<Range>(&values_)) return range->count;
+  return std::get<Sample>(values_).count;
+}
+
+double Axis::operator[](std::uint64_t k) const {
+  assert(k < size());
+  if (const auto* values = std::get_if<std::vector<double>>(&values_)) return (*values)[k];
+  if (const auto* range = std::get_if<Range>(&values_)) return range->point(k);
+  return std::get<Sample>(values_).point(k);
+}
+
+std::pair<double, double> Axis::bounds() const {
+  if (const auto* values = std::get_if<std::vector<double>>(&values_)) {
+    const auto [low, high] = std::minmax_element(values->begin(), values->end());
+    return {*low, *high};
+  }
+  const auto* range = std::get_if<Range>(&values_);
+  const Interval& interval = (range ? range->scale : std::get<Sample>(values_).scale).interval;
+  return std::minmax(interval.from, interval.to);
+}
+
+}  // namespace sigmasweep

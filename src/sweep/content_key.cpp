@@ -1,0 +1,25 @@
+#include <array>
+#include <bit>
+#include <cstddef>
+
+#include <xxhash.h>
+
+#include "sigmasweep/solve/simulate.hpp"
+#include "sigmasweep/sweep/fields.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+
+namespace sigmasweep {
+
+std::uint64_t content_key(const Parameters& parameters) {
+  // Every parameter in the order of their list: padding never counts, a new parameter always does.
+  constexpr std::size_t most_fields = 64;
+  std::array<std::uint64_t, most_fields> words{physics_version};
+  std::size_t used = 1;
+  Row row;
+  row.parameters = parameters;
+  for (const Field& field : parameter_fields())
+    words.at(used++) = std::bit_cast<std::uint64_t>(number(field, row) + 0.0);  // + 0.0 makes -0.0 the 0.0 it equals
+  return XXH3_64bits(words.data(), used * sizeof words[0]);
+}
+
+}  // namespace sigmasweep

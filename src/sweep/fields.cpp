@@ -1,0 +1,141 @@
+#include "sigmasweep/sweep/fields.hpp"
+
+#include <array>
+#include <cassert>
+#include <cstring>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "sigmasweep/scene/names.hpp"
+
+namespace sigmasweep {
+namespace {
+
+static_assert(std::is_standard_layout_v<Row> && std::is_trivially_copyable_v<Row>);
+
+/// The field type that a member of a row has.
+template <class T> constexpr FieldType type_of() {
+  if constexpr (std::is_same_v<T, double>) return FieldType::real;
+  else if constexpr (std::is_same_v<T, std::int64_t>) return FieldType::integer;
+  else if constexpr (std::is_same_v<T, std::uint64_t>) return FieldType::unsigned_integer;
+  else if constexpr (std::is_same_v<T, std::int32_t>) return FieldType::integer32;
+  else if constexpr (std::is_same_v<T, Method>) return FieldType::method;
+  else if constexpr (std::is_same_v<T, Wall>) return FieldType::wall;
+  else if constexpr (std::is_same_v<T, Integrator>) return FieldType::integrator;
+  else if constexpr (std::is_same_v<T, End>) return FieldType::end;
+  else if constexpr (std::is_same_v<T, Status>) return FieldType::status;
+}
+
+#define SIGMASWEEP_FIELD(part, member, unit, meaning) \
+  Field{#member, unit, meaning, type_of<decltype(Row::part.member)>(), offsetof(Row, part.member)}
+
+constexpr std::array parameters{
+    SIGMASWEEP_FIELD(parameters, v0, "m/s", "approach speed of the column"),
+    SIGMASWEEP_FIELD(parameters, tc, "s", "contact time of a pair of beads, Eq. (6)"),
+    SIGMASWEEP_FIELD(parameters, s0, "m", "initial gap between neighbours and to the wall"),
+    SIGMASWEEP_FIELD(parameters, sigma, "1", "s0/(v0 tc), time between contacts over contact time"),
+    SIGMASWEEP_FIELD(parameters, N, "1", "number of beads"),
+    SIGMASWEEP_FIELD(parameters, epsilon, "1", "restitution of a pair of beads, Eq. (7)"),
+    SIGMASWEEP_FIELD(parameters, method, "1", "md: soft spheres; ed: hard spheres, event-driven"),
+    SIGMASWEEP_FIELD(parameters, wall, "1", "paper: same spring and dashpot as a pair; matched: same tc and epsilon"),
+    SIGMASWEEP_FIELD(parameters, integrator, "1", "how soft spheres are moved"),
+    SIGMASWEEP_FIELD(parameters, d, "m", "bead diameter"),
+    SIGMASWEEP_FIELD(parameters, steps_per_tc, "1", "gear5, verlet, rk4: time steps per contact time"),
+    SIGMASWEEP_FIELD(parameters, tolerance, "1", "exact: wanted absolute error of eps_eff"),
+};
+
+constexpr std::array results{
+    SIGMASWEEP_FIELD(collision, eps_eff, "1", "effective restitution sqrt(E_f/E_0)"),
+    SIGMASWEEP_FIELD(collision, eps_eff_error, "1", "estimate of the absolute error of eps_eff"),
+    SIGMASWEEP_FIELD(collision, Er_Ef, "1", "final energy relative to the centre of mass over final energy"),
+    SIGMASWEEP_FIELD(collision, Er_E0, "1", "final energy relative to the centre of mass over initial energy"),
+    SIGMASWEEP_FIELD(collision, v_cm, "1", "final velocity of the centre of mass over v0"),
+    SIGMASWEEP_FIELD(collision, t_k, "s", "time from the first to the last contact with the wall"),
+    SIGMASWEEP_FIELD(collision, x_max, "m", "largest overlap of any contact"),
+    SIGMASWEEP_FIELD(collision, contacts, "1", "contacts closed and opened again; for hard spheres collisions"),
+    SIGMASWEEP_FIELD(collision, end, "1", "why the collision was considered over"),
+    SIGMASWEEP_FIELD(collision, status, "1", "whether the row holds what was asked for"),
+};
+
+constexpr std::array timings{
+    SIGMASWEEP_FIELD(timing, run_time, "s", "CPU time spent on the tuple"),
+    SIGMASWEEP_FIELD(timing, predicted_time, "s", "CPU time that the cost model predicted"),
+    SIGMASWEEP_FIELD(timing, rank, "1", "rank that computed the row"),
+    SIGMASWEEP_FIELD(timing, attempt, "1", "1 for the first try"),
+};
+
+#undef SIGMASWEEP_FIELD
+
+template <class T>
+T load(const Field& field, const Row& row) {
+  T value;
+  std::memcpy(&value, reinterpret_cast<const char*>(&row) + field.offset, sizeof value);
+  return value;
+}
+
+template <class T>
+void store(const Field& field, Row& row, double number) {
+  const T value = static_cast<T>(number);
+  std::memcpy(reinterpret_cast<char*>(&row) + field.offset, &value, sizeof value);
+}
+
+}  // namespace
+
+std::span<const Field> parameter_fields() { return parameters; }
+std::span<const Field> result_fields() { return results; }
+std::span<const Field> timing_fields() { return timings; }
+
+const Field* find_field(std::string_view name) {
+  for (const auto fields : {parameter_fields(), result_fields(), timing_fields()})
+    for (const Field& field : fields)
+      if (field.name == name) return &field;
+  return nullptr;
+}
+
+std::span<const std::string_view> enumerators(FieldType type) {
+  switch (type) {
+    case FieldType::method: return names_of<Method>();
+    case FieldType::wall: return names_of<Wall>();
+    case FieldType::integrator: return names_of<Integrator>();
+    case FieldType::end: return names_of<End>();
+    case FieldType::status: return names_of<Status>();
+    default: return {};
+  }
+}
+
+double number(const Field& field, const Row& row) {
+  switch (field.type) {
+    case FieldType::real: return load<double>(field, row);
+    case FieldType::integer: return static_cast<double>(load<std::int64_t>(field, row));
+    case FieldType::unsigned_integer: return static_cast<double>(load<std::uint64_t>(field, row));
+    case FieldType::integer32: return load<std::int32_t>(field, row);
+    default: return load<std::uint8_t>(field, row);  // the enumerations
+  }
+}
+
+void set_number(const Field& field, Row& row, double value) {
+  switch (field.type) {
+    case FieldType::real: return store<double>(field, row, value);
+    case FieldType::integer: return store<std::int64_t>(field, row, value);
+    case FieldType::unsigned_integer: return store<std::uint64_t>(field, row, value);
+    case FieldType::integer32: return store<std::int32_t>(field, row, value);
+    default: assert(value < static_cast<double>(enumerators(field.type).size()));
+             return store<std::uint8_t>(field, row, value);
+  }
+}
+
+std::string text(const Field& field, const Row& row) {
+  switch (field.type) {
+    case FieldType::real: return fmt::format("{}", load<double>(field, row));
+    case FieldType::integer: return fmt::format("{}", load<std::int64_t>(field, row));
+    case FieldType::unsigned_integer: return fmt::format("{}", load<std::uint64_t>(field, row));
+    case FieldType::integer32: return fmt::format("{}", load<std::int32_t>(field, row));
+    default: break;
+  }
+  const auto names = enumerators(field.type);
+  const auto value = load<std::uint8_t>(field, row);
+  return value < names.size() ? std::string(names[value]) : fmt::format("{}", value);
+}
+
+}  // namespace sigmasweep

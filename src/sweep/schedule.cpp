@@ -1,0 +1,76 @@
+#include "sigmasweep/sweep/schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <queue>
+#include <stdexcept>
+
+namespace sigmasweep {
+
+Schedule::Schedule(std::vector<std::uint64_t> rows, std::vector<double> predicted_seconds, int ranks,
+                   double min_chunk_seconds, double max_chunk_seconds)
+    : ranks_(ranks), min_chunk_(min_chunk_seconds), max_chunk_(std::max(min_chunk_seconds, max_chunk_seconds)) {
+  if (rows.size() != predicted_seconds.size()) throw std::invalid_argument("Schedule: one prediction a row is needed");
+  if (ranks < 1) throw std::invalid_argument("Schedule: at least one rank is needed");
+  for (const double seconds : predicted_seconds)
+    if (!(seconds > 0.0 && std::isfinite(seconds)))
+      throw std::invalid_argument("Schedule: a prediction must be a finite number > 0");
+
+  std::vector<std::size_t> order(rows.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return predicted_seconds[a] != predicted_seconds[b] ? predicted_seconds[a] > predicted_seconds[b]
+                                                        : rows[a] < rows[b];
+  });
+  rows_.reserve(order.size());
+  seconds_.reserve(order.size());
+  for (const std::size_t i : order) {
+    rows_.push_back(rows[i]);
+    seconds_.push_back(predicted_seconds[i]);
+    total_ += predicted_seconds[i];
+  }
+  longest_ = seconds_.empty() ? 0.0 : seconds_.front();
+  left_ = total_;
+}
+
+std::size_t Schedule::chunk_end(std::size_t first, double& left) const {
+  const double target = std::clamp(left / (2.0 * ranks_), min_chunk_, max_chunk_);
+  double chunk = 0.0;
+  std::size_t end = first;
+  do chunk += seconds_[end++];
+  while (end < seconds_.size() && chunk + seconds_[end] <= target);
+  left = std::max(0.0, left - chunk);
+  return end;
+}
+
+std::span<const std::uint64_t> Schedule::next() {
+  if (next_ == rows_.size()) return {};
+  const std::size_t first = next_;
+  next_ = chunk_end(first, left_);
+  return std::span(rows_).subspan(first, next_ - first);
+}
+
+double Schedule::total_seconds() const { return total_; }
+double Schedule::longest_seconds() const { return longest_; }
+double Schedule::lower_bound_seconds() const { return std::max(total_ / ranks_, longest_); }
+
+double Schedule::predicted_makespan() const {
+  using Times = std::vector<double>;
+  std::priority_queue<double, Times, std::greater<>> free_at(std::greater<>{}, Times(static_cast<std::size_t>(ranks_)));
+  double left = total_, last = 0.0;
+  for (std::size_t first = 0; first < rows_.size();) {
+    const std::size_t end = chunk_end(first, left);
+    const auto chunk = seconds_.begin();
+    const double done = std::accumulate(chunk + static_cast<std::ptrdiff_t>(first),
+                                        chunk + static_cast<std::ptrdiff_t>(end), free_at.top());
+    free_at.pop();
+    free_at.push(done);
+    last = std::max(last, done);
+    first = end;
+  }
+  return last;
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sigmasweep/sweep/product.hpp"
+#include "sigmasweep/sweep/selection.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+#include "spec_entry.hpp"
+
+/// The tables of a spec. All throw SpecError.
+namespace sigmasweep::spec {
+
+struct Grid {
+  Product product;
+  std::vector<const Field*> axes;      ///< parameters that are axes, in spec order
+  std::vector<std::uint64_t> axis_sizes;
+  std::optional<Selection> selection;  ///< of the product's indices, if there is a `where`
+};
+
+Grid read_sweep(const Entry& sweep);
+PlotSpec read_plot(const Entry& plot);
+ManagerRole read_run(const Entry& run);
+
+}  // namespace sigmasweep::spec

@@ -1,0 +1,105 @@
+#include "sigmasweep/sweep/sweep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include "sigmasweep/errors.hpp"
+#include "spec_guard.hpp"
+#include "spec_tables.hpp"
+
+namespace sigmasweep {
+namespace {
+
+constexpr std::array<std::string_view, 4> tables{"title", "sweep", "plot", "run"};
+constexpr std::array<std::string_view, 7> fixed_columns{"v0", "tc", "s0", "sigma", "N", "epsilon", "method"};
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+  spec::require_parsable(text, file);
+  try {
+    return toml::parse(text, std::string_view(file));
+  } catch (const toml::parse_error& error) {
+    throw SpecError(spec::place(file, error.source().begin.line) + std::string(error.description()));
+  }
+}
+
+std::vector<Field> columns_of(const spec::Grid& grid) {
+  std::vector<Field> columns;
+  for (const Field& field : parameter_fields()) {
+    const bool fixed = std::find(fixed_columns.begin(), fixed_columns.end(), field.name) != fixed_columns.end();
+    if (fixed || std::find(grid.axes.begin(), grid.axes.end(), &field) != grid.axes.end()) columns.push_back(field);
+  }
+  columns.insert(columns.end(), result_fields().begin(), result_fields().end());
+  return columns;
+}
+
+}  // namespace
+
+struct Sweep::Impl {
+  std::string title, text;
+  std::uint64_t hash;
+  PlotSpec plot;
+  ManagerRole manager = ManagerRole::automatic;
+  spec::Grid grid;
+  std::vector<std::string> axes;
+  std::vector<Field> columns;
+};
+
+Sweep::Sweep(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+
+Sweep Sweep::parse(std::string_view text, const std::string& file) {
+  const toml::table document = parse_toml(text, file);
+  std::string title;
+  PlotSpec plot;
+  auto manager = ManagerRole::automatic;
+  std::optional<spec::Grid> grid;
+  for (const spec::Entry& entry : spec::entries(document, file, "")) {
+    if (entry.name == "title") title = spec::as_string(entry);
+    else if (entry.name == "sweep") grid = spec::read_sweep(entry);
+    else if (entry.name == "plot") plot = spec::read_plot(entry);
+    else if (entry.name == "run") manager = spec::read_run(entry);
+    else spec::refuse_unknown(entry, tables);
+  }
+  if (!grid) throw SpecError(fmt::format("{}: the table [sweep] is missing", file));
+
+  std::vector<std::string> axes;
+  for (const Field* field : grid->axes) axes.emplace_back(field->name);
+  auto columns = columns_of(*grid);
+  return Sweep(std::make_shared<const Impl>(Impl{std::move(title), std::string(text),
+                                                 XXH3_64bits(text.data(), text.size()), std::move(plot), manager,
+                                                 *std::move(grid), std::move(axes), std::move(columns)}));
+}
+
+Sweep Sweep::load(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string text(spec::max_text + 1, '\0');
+  if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!stream && !stream.eof()) throw InputNotFound(fmt::format("{}: cannot be read as a sweep spec", path));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return parse(text, path);
+}
+
+const std::string& Sweep::title() const { return impl_->title; }
+const std::string& Sweep::text() const { return impl_->text; }
+std::uint64_t Sweep::hash() const { return impl_->hash; }
+const PlotSpec& Sweep::plot() const { return impl_->plot; }
+ManagerRole Sweep::manager() const { return impl_->manager; }
+const std::vector<std::string>& Sweep::axes() const { return impl_->axes; }
+const std::vector<std::uint64_t>& Sweep::axis_sizes() const { return impl_->grid.axis_sizes; }
+const std::vector<Field>& Sweep::columns() const { return impl_->columns; }
+
+std::uint64_t Sweep::size() const {
+  return impl_->grid.selection ? impl_->grid.selection->size() : impl_->grid.product.size();
+}
+
+Parameters Sweep::at(std::uint64_t row) const {
+  if (row >= size()) throw std::out_of_range(fmt::format("row {} of a sweep of {} rows", row, size()));
+  return impl_->grid.product.at(impl_->grid.selection ? (*impl_->grid.selection)[row] : row);
+}
+
+}  // namespace sigmasweep

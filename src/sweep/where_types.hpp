@@ -1,0 +1,18 @@
+#pragma once
+
+#include <functional>
+
+#include <muParserBytecode.h>
+
+#include "sigmasweep/sweep/fields.hpp"
+
+/// muParser knows only numbers. The types of a `where` are checked on its byte code, which is the expression in
+/// reverse Polish notation.
+namespace sigmasweep::expression_types {
+
+double logical_not(double value);
+
+/// Throws UsageError unless the expression is boolean, with each operator on operands that suit it.
+void require_boolean(const mu::ParserByteCode& code, const std::function<FieldType(const double*)>& type_of_variable);
+
+}  // namespace sigmasweep::expression_types

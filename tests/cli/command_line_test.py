@@ -1,0 +1,148 @@
+"""What is typed and what comes back: exit codes, messages, JSON. No table is needed here."""
+
+import json
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["SIGMASWEEP"]
+COLUMN = "--v0 1 --tc 2e-5 --N 10 --epsilon 0.9".split()
+SPEC = """
+title = "Two by three"
+[sweep]
+method = ["md", "ed"]
+N = 3
+epsilon = 0.9
+v0 = 1.0
+tc = 1e-5
+sigma = [0.1, 1, 10]
+"""
+
+
+def sigmasweep(*arguments, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=60, **options)
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory(prefix="sigma sweep ")
+        self.addCleanup(directory.cleanup)
+        self.path = pathlib.Path(directory.name)
+
+    def write(self, text):
+        (self.path / "spec.toml").write_text(text)
+        return self.path / "spec.toml"
+
+
+class WrongCommands(Files):
+    def check(self, code, words, *arguments):
+        ended = sigmasweep(*arguments)
+        self.assertEqual(ended.returncode, code, ended)
+        self.assertEqual(ended.stdout, "", ended)
+        self.assertEqual(ended.stderr.count("\n"), 1, ended)
+        self.assertTrue(ended.stderr.startswith("sigmasweep: "), ended)
+        for word in words:
+            self.assertIn(word, ended.stderr)
+
+    def test_slips_of_a_new_user(self):
+        self.check(64, ["a command is needed", "sigmasweep --help"])
+        self.check(64, ["'plto'", "'plot'", "sigmasweep --help"], "plto", "fig2a.h5")
+        self.check(64, ["--rank", "--ranks", "sigmasweep plan --help"], "plan", "--rank", 4, self.write(SPEC))
+        self.check(64, ["'extra'"], "plan", self.write(SPEC), "extra")
+        self.check(64, ["spec"], "run")
+        self.check(64, ["--N", "whole number"], "one", *COLUMN[:4], "--N", "ten", "--epsilon", 0.9, "--s0", 0)
+        self.check(64, ["--v0", "'1 m/s'"], "one", "--v0", "1 m/s")
+        self.check(64, ["--method", "md", "ed"], "one", *COLUMN, "--s0", 0, "--method", "soft")
+
+    def test_tuples_that_are_none(self):
+        self.check(64, ["epsilon", "2"], "one", "--v0", 1, "--tc", 1, "--N", 2, "--epsilon", 2, "--s0", 0)
+        self.check(64, ["v0", "-1"], "one", "--v0", -1, "--tc", 1, "--N", 2, "--epsilon", 1, "--s0", 0)
+        self.check(64, ["'tc' is missing"], "one", "--v0", 1)
+        self.check(64, ["s0", "sigma"], "one", *COLUMN, "--s0", 0, "--sigma", 0)
+        self.check(64, ["steps_per_tc"], "one", *COLUMN, "--s0", 0, "--steps-per-tc", 50)
+        self.check(64, ["tc"], "one", "--v0", 1, "--tc", "inf", "--N", 2, "--epsilon", 1, "--s0", 0)
+
+    def test_files(self):
+        for command in ("run", "plan"):
+            self.check(66, ["no.toml"], command, self.path / "no.toml")
+        for command in ("plot", "show", "export"):
+            self.check(66, ["no.h5"], command, self.path / "no.h5")
+        self.check(65, ["spec.toml:6", "epsilom", "epsilon"], "plan", self.write(SPEC.replace("epsilon", "epsilom")))
+        self.check(65, ["spec.toml"], "run", self.write("[sweep"), "-o", self.path / "t.h5")
+        self.assertEqual([p.name for p in self.path.iterdir()], ["spec.toml"])
+        self.check(73, ["missing/t.h5"], "run", self.write(SPEC), "-o", self.path / "missing" / "t.h5")
+
+
+class Answers(Files):
+    def test_help_and_version(self):
+        for arguments in ([], ["run"], ["plan"], ["one"], ["plot"], ["show"], ["export"]):
+            ended = sigmasweep(*arguments, "--help")
+            self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+            self.assertIn("Usage: sigmasweep", ended.stdout)
+        ended = sigmasweep("--version")
+        self.assertEqual(ended.returncode, 0)
+        for word in ("sigmasweep ", "revision", "compiler", "MPI", "HDF5"):
+            self.assertIn(word, ended.stdout)
+
+    def one(self, *arguments):
+        ended = sigmasweep("one", *COLUMN, *arguments, "--json")
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""), ended)
+        return json.loads(ended.stdout)
+
+    def test_one(self):
+        # From an independent integration at high precision, to the digits given; the solver asks for 1e-10.
+        for sigma, expected in ((0, 0.966686739758), (0.1, 0.931129144499), (1, 0.424689077436), (10, 0.341547467017)):
+            result = self.one("--sigma", sigma)
+            self.assertLess(abs(result["eps_eff"] - expected), 1e-10)
+            self.assertEqual((result["status"], result["method"], result["N"]), ("ok", "md", 10))
+            self.assertTrue(0 <= result["eps_eff_error"] < 1e-10)
+        self.assertEqual(self.one("--s0", "1e-6", "--method", "ed")["contacts"], 100)
+        self.assertEqual(self.one("--s0", "1e-6", "--wall", "matched")["wall"], "matched")
+
+    def test_numbers_are_kept_to_the_bit(self):
+        v0 = math.pi * 1e-3
+        result = self.one("--s0", "1e-7")
+        again = sigmasweep("one", "--v0", repr(v0), *COLUMN[2:], "--s0", repr(1 / 3e7), "--json")
+        self.assertEqual(json.loads(again.stdout)["v0"], v0)
+        self.assertEqual(json.loads(again.stdout)["s0"], 1 / 3e7)
+        self.assertEqual(result, self.one("--s0", "1e-7"))
+
+    def test_one_for_people(self):
+        ended = sigmasweep("one", *COLUMN, "--s0", "1e-6")
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        for words in ("1 m/s", "0.95208601", "+-", "ok"):
+            self.assertIn(words, ended.stdout)
+
+    def test_plan(self):
+        ended = sigmasweep("plan", self.write(SPEC), "--ranks", 3, "--json")
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        plan = json.loads(ended.stdout)
+        self.assertEqual((plan["tuples"], plan["ranks"], plan["title"]), (6, 3, "Two by three"))
+        self.assertEqual([(a["name"], a["size"]) for a in plan["axes"]], [("method", 2), ("sigma", 3)])
+        self.assertGreaterEqual(plan["makespan_seconds"], plan["lower_bound_seconds"])
+        self.assertGreaterEqual(plan["core_seconds"], plan["longest_seconds"])
+        self.assertFalse(plan["estimated_from_sample"])
+        self.assertIn("tuples         6", sigmasweep("plan", self.path / "spec.toml").stdout)
+        self.assertEqual([p.name for p in self.path.iterdir()], ["spec.toml"])
+
+    def test_plan_of_a_huge_sweep_is_a_sample(self):
+        axis = "{ from = 0.1, to = 100, count = 1000 }"
+        spec = SPEC.replace("[0.1, 1, 10]", axis).replace("v0 = 1.0", "v0 = " + axis).replace("tc = 1e-5", "tc = " + axis)
+        plan = json.loads(sigmasweep("plan", self.write(spec), "--json").stdout)
+        self.assertEqual((plan["tuples"], plan["estimated_from_sample"]), (2 * 10**9, True))
+        self.assertGreater(plan["core_seconds"], 2 * 10**9 * 1e-8)
+
+
+class UnderALauncher(unittest.TestCase):
+    def test_other_ranks_are_silent(self):
+        environment = dict(os.environ, OMPI_COMM_WORLD_RANK="1")
+        for arguments, code in ((["--help"], 0), (["one", *COLUMN, "--s0", 0], 0), (["plto"], 64)):
+            ended = sigmasweep(*arguments, env=environment)
+            self.assertEqual((ended.returncode, ended.stdout, ended.stderr), (code, "", ""))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

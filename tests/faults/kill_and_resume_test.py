@@ -1,0 +1,87 @@
+"""kill -9 of any rank, or of mpirun, at any time: run again, the sweep goes on with every row that had come in, and the
+results are the same to the bit as without the kill. KILL_TRIALS says how often (10)."""
+
+import os
+import random
+import signal
+import time
+import unittest
+
+from sweep_process import Sweep, end_of, ranks_of
+
+TRIALS = int(os.environ.get("KILL_TRIALS", "10"))
+
+
+class KillAndResume(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        seed = int(os.environ.get("KILL_SEED", random.SystemRandom().randrange(10**9)))
+        print(f"KILL_SEED={seed}")
+        cls.random = random.Random(seed)
+        cls.whole = Sweep()
+        start = time.monotonic()
+        ended = cls.whole.run(2)
+        assert ended.code == 0, ended
+        cls.duration = time.monotonic() - start
+        cls.results = cls.whole.results()
+
+    def kill_once(self, sweep):
+        """Starts the run and kills a part of it. Rows and run times in the journal that is left."""
+        process = sweep.start(self.random.randint(2, 4))
+        sweep.wait_for_rows(process, len(sweep.journalled()) + 1)
+        time.sleep(self.random.uniform(0.0, 0.5 * self.duration))
+        victims = ranks_of(process)
+        if self.random.random() < 0.2:
+            victims = [process.pid]
+        try:
+            if victims:
+                os.kill(self.random.choice(victims), signal.SIGKILL)
+        except ProcessLookupError:
+            pass  # it was faster
+        end_of(process)
+        self.wait_until_unlocked(sweep)
+        return sweep.journalled()
+
+    def wait_until_unlocked(self, sweep):
+        """Ranks whose mpirun was killed need a moment to notice."""
+        end = time.monotonic() + 20
+        while time.monotonic() < end:
+            with open("/proc/locks") as locks:
+                inodes = {line.split()[5].split(":")[-1] for line in locks if len(line.split()) > 5}
+            try:
+                if str(os.stat(f"{sweep.table}.lock").st_ino) not in inodes:
+                    return
+            except FileNotFoundError:
+                return
+            time.sleep(0.05)
+        self.fail("a rank outlived its mpirun")
+
+    def test_random_kills(self):
+        rows = len(self.whole.timings())
+        in_the_middle = 0
+        for trial in range(TRIALS):
+            with self.subTest(trial=trial):
+                sweep = Sweep()
+                kept = {}
+                for _ in range(self.random.randint(1, 2)):
+                    left = self.kill_once(sweep)
+                    if sweep.table.exists():
+                        break
+                    self.assertEqual({row: left.get(row) for row in kept}, kept, "rows were lost or computed again")
+                    kept = left
+                in_the_middle += 0 < len(kept) < rows
+                finished_before = sweep.table.exists()
+                ended = sweep.run(self.random.randint(1, 4))
+                self.assertEqual(ended.code, 0, ended)
+                self.assertEqual(sweep.results(), self.results)
+                run_time = sweep.timings()["run_time"]
+                self.assertEqual({row: run_time[row] for row in kept}, kept, "finished rows were computed again")
+                if kept and not finished_before:
+                    self.assertIn(f"going on with {len(kept)} of {rows} rows", ended.err)
+                self.assertEqual(sweep.files(), ["sweep.toml", "table.h5"])
+        print(f"{in_the_middle} of {TRIALS} kills hit a run in the middle")
+        self.assertGreater(in_the_middle, TRIALS // 3, "the kills came too late to test anything")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,13 @@
+# sigmasweep_process_test(NAME LABEL label TIMEOUT seconds): NAME.py here, unittest cases that start the program as a
+# user does. The distribution's own Python has h5py (python3-h5py); another one in the PATH may not.
+include_guard(DIRECTORY)
+find_program(SIGMASWEEP_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+
+function(sigmasweep_process_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL;TIMEOUT" "")
+  add_test(NAME ${name} COMMAND ${SIGMASWEEP_SYSTEM_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/${name}.py)
+  set(environment ${SIGMASWEEP_MPI_ENVIRONMENT} SIGMASWEEP=$<TARGET_FILE:sigmasweep>
+    "MPIEXEC=${MPIEXEC_EXECUTABLE} --oversubscribe")
+  set_tests_properties(${name} PROPERTIES LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT} PROCESSORS 2
+    ENVIRONMENT "${environment}")
+endfunction()

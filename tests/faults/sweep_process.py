@@ -1,0 +1,123 @@
+"""A sweep as processes: what the tests need that kill, stop, refuse and resume runs of the program.
+
+The environment says what to run: SIGMASWEEP, the program; MPIEXEC, mpirun (with the options that it needs here).
+"""
+
+import os
+import pathlib
+import shlex
+import struct
+import subprocess
+import tempfile
+import time
+
+import h5py
+
+PROGRAM = os.environ["SIGMASWEEP"]
+MPIEXEC = shlex.split(os.environ.get("MPIEXEC", "mpirun --oversubscribe"))
+LIMIT = 120  # s; what hangs fails
+
+# 360 rows of fixed steps, 0.3 ms to 20 ms each: some seconds to be disturbed in.
+SPEC = """
+title = "A sweep to be disturbed"
+[sweep]
+N            = [2, 5, 10, 20]
+epsilon      = [0.9, 0.8]
+v0           = [1.0, 0.1, 0.01]
+tc           = 1e-5
+sigma        = { from = 0.01, to = 10.0, count = 15, scale = "log" }
+integrator   = "verlet"
+steps_per_tc = STEPS
+"""
+
+
+def spec(steps=1500):
+    return SPEC.replace("STEPS", repr(float(steps)))
+
+
+class Sweep:
+    """One spec and its table in a directory of their own."""
+
+    def __init__(self, text=None):
+        self.home = tempfile.TemporaryDirectory(prefix="sigmasweep-")
+        self.path = pathlib.Path(self.home.name)
+        self.spec = self.path / "sweep.toml"
+        self.table = self.path / "table.h5"
+        self.journal = self.path / "table.h5.journal"
+        self.spec.write_text(text or spec())
+
+    def __del__(self):
+        self.home.cleanup()
+
+    def command(self, ranks, *options):
+        """ranks = 0: without mpirun."""
+        launcher = [*MPIEXEC, "-n", str(ranks)] if ranks else []
+        return [*launcher, PROGRAM, "run", str(self.spec), "-o", str(self.table), *options]
+
+    def start(self, ranks, *options, **how):
+        return subprocess.Popen(self.command(ranks, *options), cwd=self.path, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **how)
+
+    def run(self, ranks, *options, **how):
+        return end_of(self.start(ranks, *options, **how))
+
+    def results(self):
+        with h5py.File(self.table, "r") as table:
+            return table["results"][()].tobytes()
+
+    def timings(self):
+        with h5py.File(self.table, "r") as table:
+            return table["timings"][()]
+
+    def files(self):
+        return sorted(entry.name for entry in self.path.iterdir())
+
+    def journalled(self):
+        """run_time by row, from the journal that a run left: header of 56 bytes with the record's size at byte 12;
+        a record starts with the row's index and ends with run_time, predicted_time, rank, attempt, checksum."""
+        if not self.journal.exists():
+            return {}
+        data = self.journal.read_bytes()
+        size = struct.unpack_from("<I", data, 12)[0]
+        rows = {}
+        for start in range(56, len(data) - size + 1, size):
+            rows[struct.unpack_from("<Q", data, start)[0]] = struct.unpack_from("<d", data, start + size - 32)[0]
+        return rows
+
+    def wait_for_rows(self, process, rows=1):
+        """Until the journal has so many, or the run is over."""
+        end = time.monotonic() + LIMIT
+        while process.poll() is None and len(self.journalled()) < rows:
+            if time.monotonic() > end:
+                process.kill()
+                raise AssertionError("no row came")
+            time.sleep(0.01)
+
+
+class Ended:
+    def __init__(self, code, out, err):
+        self.code, self.out, self.err = code, out, err
+
+    def __str__(self):
+        return f"exit {self.code}\n{self.out}\n{self.err}"
+
+
+def end_of(process):
+    try:
+        out, err = process.communicate(timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        for rank in ranks_of(process):
+            os.kill(rank, 9)
+        process.kill()
+        out, err = process.communicate()
+        raise AssertionError(f"it hangs:\n{out}\n{err}") from None
+    return Ended(process.returncode, out, err)
+
+
+def ranks_of(process):
+    """The processes that mpirun started."""
+    try:
+        text = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text()
+    except OSError:
+        return []
+    return [int(pid) for pid in text.split()]
