@@ -23,8 +23,9 @@ namespace {
 /// One disturbance is one random draw of what the true error is another draw of: the factor makes it an error bar that
 /// holds for 99.9 % of random tuples, at a median of about 30 times the true error.
 constexpr double safety = 16.0;
-/// Roundings of eps_eff itself, from velocities to energies.
-constexpr double last_roundings = 5.0;
+/// Roundings of eps_eff that the disturbances do not know of: from velocities to energies, and the drift of the energy,
+/// in roundings a step, as a step's rounded coefficients are the same in many steps.
+constexpr double last_roundings = 5.0, drift = 0.1;
 /// Work (ExactColumn::work) up to which a wide type is tried: about a second in each.
 constexpr std::uint64_t long_double_limit = 1'000'000, quad_limit = 50'000;
 
@@ -43,7 +44,8 @@ Collision computed_in(const Parameters& p, const ExactOptions& options, Effort& 
   Collision c = in_si(outcome, p);
   if (c.status != Status::ok) return c;
   const Real rounding = std::numeric_limits<Real>::epsilon();
-  const Real error = exact.error(safety) + Real(last_roundings) * rounding * Real(c.eps_eff);
+  const double roundings = last_roundings + drift * double(exact.work()) / double(p.N);
+  const Real error = exact.error(safety) + Real(roundings) * rounding * Real(c.eps_eff);
   c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;
   return c;
 }

@@ -26,6 +26,7 @@ struct Lanes {
   friend Lanes operator+(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return Real(a.v[i] + b.v[i]); }); }
   friend Lanes operator-(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return Real(a.v[i] - b.v[i]); }); }
   friend Lanes operator*(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return Real(a.v[i] * b.v[i]); }); }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return Real(a.v[i] / b.v[i]); }); }
   friend Lanes magnitude(const Lanes& a) { return each([&](std::size_t i) { return a.v[i] < 0 ? Real(-a.v[i]) : a.v[i]; }); }
   /// c where a > b, else d (where one is NaN, too).
   friend Lanes where_above(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
@@ -65,6 +66,7 @@ struct Lanes<double> {
   friend Lanes operator+(const Lanes& a, const Lanes& b) { return of(a.v + b.v); }
   friend Lanes operator-(const Lanes& a, const Lanes& b) { return of(a.v - b.v); }
   friend Lanes operator*(const Lanes& a, const Lanes& b) { return of(a.v * b.v); }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) { return of(a.v / b.v); }
   friend Lanes magnitude(const Lanes& a) { return of(a.v < 0 ? -a.v : a.v); }
   friend Lanes where_above(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
     return of(a.v > b.v ? c.v : d.v);

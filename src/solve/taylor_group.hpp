@@ -115,7 +115,7 @@ class TaylorGroup {
         slope = slope * Block(s) + value;
         value = value * Block(s) + term(p, motion, b);
       }
-      slope = slope * Block(1 / h_);
+      slope = slope / Block(h_);  // not times 1/h: that would be off the same way at every step
       const std::size_t first = b * Block::count, count = std::min(Block::count, contacts_ - first);
       for (std::size_t i = 0; i < count; ++i) {
         x[first + i] = value[i];

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <unistd.h>
 #include <vector>
 
 #include "../../src/report/plot_figure.hpp"
@@ -58,16 +58,15 @@ TEST(PlotFigure, HardSpheresAreOneLineWhateverTheSeries) {
 
 TEST(PlotFigure, CountsWhatCannotBeDrawn) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Row> rows{make_row(Method::md, 1, 1e-5, 0.1, 0.9),
-                              make_row(Method::md, 1, 1e-5, 0.0, 0.9),
-                              make_row(Method::md, 1, 1e-5, 0.0, 0.9),
-                              make_row(Method::md, 1, 1e-5, 0.3, nan, Status::time_limit),
-                              make_row(Method::md, 1, 1e-5, 0.4, nan),
-                              make_row(Method::ed, 1, 1e-5, 0.4, 0.0, Status::collapsed)};  // a result
+  const std::vector<Row> rows{
+      make_row(Method::md, 1, 1e-5, 0.1, 0.9), make_row(Method::md, 1, 1e-5, 0.0, 0.9),
+      make_row(Method::md, 1, 1e-5, 0.0, 0.9), make_row(Method::md, 1, 1e-5, 0.3, nan, Status::time_limit),
+      make_row(Method::md, 1, 1e-5, 0.4, nan), make_row(Method::ed, 1, 1e-5, 0.4, 0.0, Status::collapsed)};  // a result
   auto figure = plot::figure_of(rows, by_pair(), "");
   EXPECT_EQ(points(figure), 2u);
-  EXPECT_EQ(figure.note, "Not drawn: 1 row that failed; 2 rows with {/:Italic σ} ≤ 0 (logarithmic axis); "
-                         "1 row without a finite value");
+  EXPECT_EQ(figure.note,
+            "Not drawn: 1 row that failed; 2 rows with {/:Italic σ} ≤ 0 (logarithmic axis); "
+            "1 row without a finite value");
   PlotSpec linear = by_pair();
   linear.x_log = false;
   figure = plot::figure_of(rows, linear, "");

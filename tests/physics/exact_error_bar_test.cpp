@@ -1,0 +1,73 @@
+// Is the error bar true? A random thousand tuples against wider arithmetic.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "sigmasweep/scene/real.hpp"
+#include "sigmasweep/solve/exact.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+
+namespace {
+
+using namespace sigmasweep;
+
+template <class Real>
+Real eps_eff_in(const Parameters& p) {
+  ExactOptions options;
+  options.settle = 1e-17;
+  return energies<Real>(exact_collision(reduced_column<Real>(p), options).velocity, Real(1)).eps_eff;
+}
+
+double true_error(const Parameters& p, const Collision& c) {
+  using std::abs;
+  const long double wide = eps_eff_in<long double>(p);
+  const double error = static_cast<double>(abs(wide - static_cast<long double>(c.eps_eff)));
+  if (error <= c.eps_eff_error) return error;
+  // Long double may be the one that is off: some rows have been computed in 113 bits.
+  return static_cast<double>(abs(eps_eff_in<Quad>(p) - Quad(c.eps_eff)));
+}
+
+TEST(ErrorBar, HoldsForARandomThousand) {
+  const unsigned seed = 20240917;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int results = 0, held = 0;
+  std::vector<double> overestimates;
+  for (int i = 0; i < 1000; ++i) {
+    Parameters p;
+    p.N = std::int64_t(std::exp(uniform(random) * std::log(26.0)));
+    p.epsilon = 0.1 + 0.9 * uniform(random);
+    p.sigma = uniform(random) < 0.1 ? 0.0 : std::pow(10.0, -6.0 + 10.0 * uniform(random));
+    p = complete(p, Gap::sigma);
+    const Collision c = simulate(p);
+    ASSERT_TRUE(c.status == Status::ok || c.status == Status::tolerance_missed);
+    ASSERT_EQ(c.status == Status::ok, c.eps_eff_error <= p.tolerance);
+    if (c.status != Status::ok) continue;  // says of itself that it is no result to 1e-10
+    const double error = true_error(p, c);
+    ++results;
+    held += error <= c.eps_eff_error;
+    if (error > 0.0) overestimates.push_back(c.eps_eff_error / error);
+  }
+  EXPECT_GE(results, 850);
+  EXPECT_GE(held, 0.99 * results) << held << " of " << results;
+  std::sort(overestimates.begin(), overestimates.end());
+  EXPECT_LE(overestimates[overestimates.size() / 2], 100.0);
+}
+
+// Long bounce sequences that no double, and some that no type, can follow.
+TEST(ErrorBar, SaysSoWhereTheLastDigitsDecide) {
+  Parameters p;
+  p.N = 33;
+  p.epsilon = 0.6;
+  p.sigma = 1e4;
+  p = complete(p, Gap::sigma);
+  const Collision c = simulate(p);
+  EXPECT_EQ(c.status, Status::tolerance_missed);
+  EXPECT_GT(c.eps_eff_error, 1e-4);
+}
+
+}  // namespace
