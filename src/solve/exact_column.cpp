@@ -340,39 +340,12 @@ bool ExactColumn<Real, Disturbances>::settled() {
   return now.remaining < Real(options_.settle);
 }
 
-/// A closed contact will hand on int F dt >= -C x from now until it opens. With that little handed on at once the
-/// bound of residual_dissipation() holds for the velocities v' that result: what remains is sqrt(E) - |P v'|.
 template <class Real, int Disturbances>
 auto ExactColumn<Real, Disturbances>::balance() const -> Balance {
-  using std::abs, std::sqrt;
-  const std::vector<Real> v = velocities(0);
-  std::vector<Real> handed_on = v;
-  Real energy = 0, difference = 0;  // twice the energy; and what it exceeds |v'|^2 by
-  for (std::size_t k = 0; k < N_; ++k) {
-    energy += v[k] * v[k];
-    if (!closed_[k]) continue;
-    const Real elastic = K(k) * x_[k] * x_[k], impulse = C(k) * x_[k];
-    energy += elastic;
-    difference += elastic;
-    handed_on[k] -= impulse;
-    if (k > 0) handed_on[k - 1] += impulse;
-  }
-  for (std::size_t k = 0; k < N_; ++k) difference += (v[k] - handed_on[k]) * (v[k] + handed_on[k]);
-  const Real scale = sqrt(Real(double(N_))) * column_.speed;
-  Balance now;
-  const Real lost = difference + distance_to_separated<Real>(handed_on);
-  if (lost > 0) now.remaining = lost / ((sqrt(energy) + sqrt(std::max(Real(energy - lost), Real(0)))) * scale);
-  for (int m = 1; m < motions; ++m) {
-    const std::vector<Real> dv = velocities(m);
-    Real half_change = 0;
-    for (std::size_t k = 0; k < N_; ++k) {
-      half_change += v[k] * dv[k];
-      if (closed_[k]) half_change += K(k) * x_[k] * motion_[m].x[k];
-    }
-    Real change = energy > 0 ? Real(abs(half_change) / (sqrt(energy) * scale)) : Real(0);
-    if (!(change < std::numeric_limits<Real>::infinity())) change = std::numeric_limits<Real>::infinity();
-    now.disturbance = std::max(now.disturbance, change);
-  }
+  const EnergyBalance<Real> energy(column_, closed_, x_, velocities(0));
+  Balance now{Real(0), energy.remaining()};
+  for (int m = 1; m < motions; ++m)
+    now.disturbance = std::max(now.disturbance, energy.change(motion_[m].x, velocities(m)));
   return now;
 }
 

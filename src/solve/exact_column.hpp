@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "binary_contact.hpp"
+#include "energy_balance.hpp"
 #include "noise.hpp"
 #include "sigmasweep/solve/column.hpp"
 #include "sigmasweep/solve/exact.hpp"

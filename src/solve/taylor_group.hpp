@@ -38,7 +38,8 @@ class TaylorGroup {
     contacts_ = contacts;
     blocks_ = (contacts + Block::count - 1) / Block::count;
     a_.resize((order + 1) * Motions * blocks_);
-    if (suspect_.size() < blocks_) suspect_.resize(blocks_);
+    for (auto* v : {&suspect_, &examined_})
+      if (v->size() < blocks_) v->resize(blocks_);
     if (force_.size() < Motions * (blocks_ + 2)) force_.resize(Motions * (blocks_ + 2));
     for (auto* v : {&K_, &C_, &w_, &sign_}) v->assign(blocks_, Block());
   }
@@ -83,7 +84,7 @@ class TaylorGroup {
   /// The first contact to change its state within the step. Of the contacts that cannot be ruled out the one that
   /// seems to be first is looked at closely; its root bounds the interval in which the others must be ruled out.
   std::optional<Crossing> first_crossing() {
-    settled_.assign(blocks_, Block(Real(0)));
+    for (std::size_t b = 0; b < blocks_; ++b) examined_[b] = Block();
     std::optional<Crossing> first;
     Real limit = 1;
     for (bool shorter = true;;) {
@@ -92,12 +93,13 @@ class TaylorGroup {
       std::size_t candidate = 0;
       Real earliest = never;
       for (std::size_t i = 0; i < contacts_; ++i)
-        if (at(suspect_, i) < earliest && at(settled_, i) == Real(0)) {
+        if (at(suspect_, i) < earliest) {
           earliest = at(suspect_, i);
           candidate = i;
         }
       if (earliest == Real(never)) return first;
-      at(settled_, candidate) = Real(1);
+      at(suspect_, candidate) = Real(never);
+      at(examined_, candidate) = Real(1);
       const auto when = FirstRoot<Real, order>::find(distance(candidate), limit);
       shorter = when.has_value();
       if (!when) continue;
@@ -261,12 +263,12 @@ class TaylorGroup {
       for (std::size_t p = screen; p >= level; --p) b[p] = b[p] + b[p - 1];
     Block suspect{Real(never)};
     for (std::size_t p = screen + 1; p-- > 0;) suspect = where_above(b[p], rest, suspect, Block(Real(double(p))));
-    suspect_[block] = suspect;
+    suspect_[block] = where_zero(examined_[block], suspect, Block(Real(never)));
   }
 
   std::size_t contacts_ = 0, blocks_ = 0;
   Real h_{};
-  Blocks a_, K_, C_, w_, sign_, suspect_, settled_, force_;
+  Blocks a_, K_, C_, w_, sign_, suspect_, examined_, force_;
 };
 
 }  // namespace sigmasweep

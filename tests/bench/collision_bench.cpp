@@ -66,8 +66,10 @@ int main(int argc, char** argv) {
     const std::string at = "/sigma:" + std::to_string(sigma);
     benchmark::RegisterBenchmark(("exact" + at).c_str(), exact, sigma)->Unit(benchmark::kMicrosecond);
     for (auto integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4})
-      benchmark::RegisterBenchmark((std::string(name_of(integrator)) + "/tc:100" + at).c_str(), fixed, integrator, sigma, 100.0)
-          ->Unit(benchmark::kMicrosecond);
+      for (int steps : {50, 100, 1000}) {
+        const std::string name = std::string(name_of(integrator)) + "/tc:" + std::to_string(steps) + at;
+        benchmark::RegisterBenchmark(name.c_str(), fixed, integrator, sigma, double(steps))->Unit(benchmark::kMicrosecond);
+      }
   }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
