@@ -1,9 +1,9 @@
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <fmt/format.h>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,11 +50,13 @@ std::string about_leftover(const CLI::App& app) {
   const auto leftovers = app.remaining(true);
   const auto asked = app.get_subcommands();
   if (leftovers.empty()) return "a command is needed: run, plan, one, plot, show or export";
-  const auto option = std::find_if(leftovers.begin(), leftovers.end(), [](const auto& s) { return s.starts_with('-'); });
+  const auto option =
+      std::find_if(leftovers.begin(), leftovers.end(), [](const auto& s) { return s.starts_with('-'); });
   const std::string& what = option != leftovers.end() ? *option : leftovers.front();
   std::vector<std::string> names;
   if (option != leftovers.end())
-    for (const CLI::Option* known : (asked.empty() ? &app : asked.front())->get_options()) names.push_back(known->get_name());
+    for (const CLI::Option* known : (asked.empty() ? &app : asked.front())->get_options())
+      names.push_back(known->get_name());
   else if (asked.empty())
     for (const CLI::App* known : app.get_subcommands({})) names.push_back(known->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
@@ -65,7 +67,8 @@ std::string about_leftover(const CLI::App& app) {
 
 /// Help and version go to stdout, anything else is one line and where to read more.
 int explain(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return launched_rank() == 0 ? app.exit(error) : 0;
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+    return launched_rank() == 0 ? app.exit(error) : 0;
   std::string command;
   for (const CLI::App* asked : app.get_subcommands()) command += asked->get_name() + " ";
   const bool unknown = !app.remaining(true).empty() || command.empty();

@@ -1,9 +1,9 @@
 #include "command_line.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
+#include <charconv>
 #include <memory>
 
 #include "commands.hpp"
@@ -19,6 +19,7 @@ std::string option_names(std::string_view name) {
   return dashed == name ? "--" + dashed : fmt::format("--{},--{}", dashed, name);
 }
 
+/// What may be typed for a parameter: a number or a name. Whether it describes a tuple is for the spec to say.
 CLI::Validator check_of(const Field& field) {
   const auto names = enumerators(field.type);
   if (!names.empty()) return CLI::IsMember(std::vector<std::string>(names.begin(), names.end())).description("");
@@ -50,12 +51,16 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_flag("--fresh", options->fresh, "Start again, whatever is there");
   command->add_flag("-q,--quiet", options->quiet, "Neither progress nor summary");
   command->add_option("--max-seconds", options->max_seconds, "Stop on purpose after this long (exit code 75)")
-      ->check(CLI::Range(0.0, 1e9).description(""))->type_name("S");
-  command->footer("\nA run that was stopped or killed goes on where it was when it is started again with the same spec.\n"
-                  "Rows do not depend on the number of ranks.\n\n"
-                  "  mpirun -n 4 sigmasweep run fig2a.toml -o fig2a.h5");
+      ->check(CLI::Range(0.0, 1e9).description(""))
+      ->type_name("S");
+  command->footer(
+      "\nA run that was stopped or killed goes on where it was when it is started again with the same spec.\n"
+      "Rows do not depend on the number of ranks.\n\n"
+      "  mpirun -n 4 sigmasweep run fig2a.toml -o fig2a.h5");
   command->callback([&invocation, options] {
-    invocation.command = [&invocation, options] { return run_on_all_ranks(invocation, *options); };
+    invocation.command = [&invocation, options] {
+      return run_on_all_ranks(invocation.argc, invocation.argv, *options);
+    };
   });
 }
 
@@ -64,7 +69,9 @@ void add_plan(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("plan", "Check a sweep spec and say what it would take; nothing is run");
   command->add_option("spec", options->spec, "The sweep spec, a TOML file")->required()->type_name("SPEC.toml");
   command->add_option("--ranks", options->ranks, "For this many MPI ranks")
-      ->check(CLI::Range(1, 1 << 20).description(""))->capture_default_str()->type_name("R");
+      ->check(CLI::Range(1, 1 << 20).description(""))
+      ->capture_default_str()
+      ->type_name("R");
   command->add_flag("--json", options->json, "One JSON document; times in seconds");
   command->footer("\n  sigmasweep plan fig2a.toml --ranks 64");
   command->callback([&invocation, options] { invocation.command = [options] { return plan(*options); }; });
@@ -80,12 +87,14 @@ void add_one(CLI::App& app, Invocation& invocation) {
             option_names(field.name),
             [options, name = field.name](const std::string& typed) { options->given[name] = typed; },
             std::string(field.meaning) + unit)
-        ->check(check_of(field))->type_name(type_name_of(field));
+        ->check(check_of(field))
+        ->type_name(type_name_of(field));
   }
   command->add_flag("--json", options->json, "One JSON document: field names and values");
-  command->footer("\nGive v0, tc, N, epsilon, and s0 or sigma; the rest has defaults (method md, integrator exact, wall paper).\n\n"
-                  "  sigmasweep one --v0 1 --tc 2e-5 --s0 1e-6 --N 10 --epsilon 0.9\n"
-                  "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --steps-per-tc 500");
+  command->footer(
+      "\nGive v0, tc, N, epsilon, and s0 or sigma; the rest has defaults (method md, integrator exact, wall paper).\n\n"
+      "  sigmasweep one --v0 1 --tc 2e-5 --s0 1e-6 --N 10 --epsilon 0.9\n"
+      "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --steps-per-tc 500");
   command->callback([&invocation, options] { invocation.command = [options] { return one(*options); }; });
 }
 
@@ -101,9 +110,11 @@ void add_plot(CLI::App& app, Invocation& invocation) {
   command->add_option("--x-scale", options->x_scale, "Of the x axis")->check(scales)->type_name("linear|log");
   command->add_option("--y-scale", options->y_scale, "Of the y axis")->check(scales)->type_name("linear|log");
   command->add_option("--series", options->series, "Fields: one curve for each combination of their values")
-      ->delimiter(',')->type_name("FIELD,...");
-  command->footer("\n  sigmasweep plot fig2a.h5 -o fig2a.png\n"
-                  "  sigmasweep plot fig2a.h5 --y t_k --y-scale log -o t_k.svg");
+      ->delimiter(',')
+      ->type_name("FIELD,...");
+  command->footer(
+      "\n  sigmasweep plot fig2a.h5 -o fig2a.png\n"
+      "  sigmasweep plot fig2a.h5 --y t_k --y-scale log -o t_k.svg");
   command->callback([&invocation, options] { invocation.command = [options] { return plot(*options); }; });
 }
 
@@ -111,16 +122,15 @@ void add_show(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<ShowOptions>();
   CLI::App* command = app.add_subcommand("show", "Look at a table");
   command->add_option("table", options->table, "A table that 'run' wrote")->required()->type_name("TABLE.h5");
-  command->add_option("--where", options->where, "Only rows for which this holds, as in a spec")->type_name("CONDITION");
+  command->add_option("--where", options->where, "Only rows for which this holds, as in a spec")
+      ->type_name("CONDITION");
   command->add_flag("--failed", options->failed, "Only failed rows, each with the command that repeats it");
-  command->add_option_function<std::uint64_t>(
-             "--limit",
-             [options](std::uint64_t limit) {
-               options->limit = limit;
-               options->limited = true;
-             },
-             fmt::format("At most this many rows, 0: all; default {}, with --json all", default_limit))
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40).description(""))->type_name("ROWS");
+  command
+      ->add_option(
+          "--limit", options->limit,
+          fmt::format("At most this many rows, 0: all; default {}, with --json all", ShowOptions::default_limit))
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40).description(""))
+      ->type_name("ROWS");
   command->add_flag("--json", options->json, "One JSON document");
   command->footer("\n  sigmasweep show fig2a.h5 --where \"method == md && sigma > 1 && eps_eff < 0.5\" --limit 10");
   command->callback([&invocation, options] { invocation.command = [options] { return show(*options); }; });

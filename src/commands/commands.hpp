@@ -2,13 +2,15 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "run.hpp"
 
-/// What the program can do. Each command returns the exit code and throws Error; only one process calls it, but for run.
+/// What the program can do. Each command returns the exit code and throws Error; only one process calls it, but for
+/// run.
 namespace sigmasweep {
 
 /// Starts MPI and runs the sweep, on all ranks.
@@ -28,7 +30,8 @@ struct OneOptions {
 int one(const OneOptions& options);
 
 struct PlotOptions {
-  std::string table, output, x, y, x_scale, y_scale;
+  std::string table, output;
+  std::string x, y, x_scale, y_scale;  ///< instead of the spec's, where not empty
   std::vector<std::string> series;
 };
 int plot(const PlotOptions& options);
@@ -36,8 +39,8 @@ int plot(const PlotOptions& options);
 struct ShowOptions {
   std::string table, where;
   bool failed = false, json = false;
-  std::uint64_t limit = 0;
-  bool limited = false;
+  std::optional<std::uint64_t> limit;  ///< of rows shown, 0: all; not given: default_limit, with json all
+  static constexpr std::uint64_t default_limit = 40;
 };
 int show(const ShowOptions& options);
 

@@ -1,8 +1,8 @@
+#include <fmt/format.h>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fmt/format.h>
 
 #include "commands.hpp"
 #include "sigmasweep/errors.hpp"

@@ -9,9 +9,12 @@ nlohmann::ordered_json json_of(std::span<const Field> fields, const Row& row) {
   auto document = nlohmann::ordered_json::object();
   for (const Field& field : fields) {
     auto& value = document[std::string(field.name)];
-    if (!enumerators(field.type).empty()) value = text(field, row);
-    else if (field.type == FieldType::real) value = number(field, row);
-    else value = static_cast<std::int64_t>(number(field, row));
+    if (!enumerators(field.type).empty())
+      value = text(field, row);
+    else if (field.type == FieldType::real)
+      value = number(field, row);
+    else
+      value = static_cast<std::int64_t>(number(field, row));
   }
   return document;
 }

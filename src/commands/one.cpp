@@ -1,7 +1,7 @@
-#include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
-#include <map>
+#include <algorithm>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "engine_compute.hpp"
@@ -65,8 +65,10 @@ int one(const OneOptions& options) {
     if (column || options.given.contains(field.name)) columns.push_back(field);
   }
   columns.insert(columns.end(), result_fields().begin(), result_fields().end());
-  if (options.json) fmt::print("{}\n", json_of(columns, row).dump(2));
-  else print_result(columns, row);
+  if (options.json)
+    fmt::print("{}\n", json_of(columns, row).dump(2));
+  else
+    print_result(columns, row);
   return is_success(row.collision.status) ? 0 : 1;
 }
 

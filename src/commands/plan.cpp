@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -30,7 +30,8 @@ Plan plan_of(const Sweep& sweep, int ranks) {
   const auto row_of = [&](std::uint64_t k) {
     if (!plan.sampled) return k;
     const double turn = 0.6180339887498949 * static_cast<double>(k);
-    const double place = part * (static_cast<double>(k) + (turn - static_cast<double>(static_cast<std::uint64_t>(turn))));
+    const double place =
+        part * (static_cast<double>(k) + (turn - static_cast<double>(static_cast<std::uint64_t>(turn))));
     return std::min(static_cast<std::uint64_t>(place), sweep.size() - 1);
   };
   std::vector<std::uint64_t> rows(count);
@@ -44,8 +45,10 @@ Plan plan_of(const Sweep& sweep, int ranks) {
   plan.longest_row = rows[static_cast<std::size_t>(longest - seconds.begin())];
   plan.core_seconds = part * std::accumulate(seconds.begin(), seconds.end(), 0.0);
   plan.lower_bound_seconds = std::max(plan.core_seconds / ranks, plan.longest_seconds);
-  if (!plan.sampled) plan.makespan_seconds = Schedule(std::move(rows), std::move(seconds), ranks).predicted_makespan();
-  else plan.makespan_seconds = plan.lower_bound_seconds + plan.longest_seconds * (ranks - 1) / ranks;  // Graham 1969
+  if (!plan.sampled)
+    plan.makespan_seconds = Schedule(std::move(rows), std::move(seconds), ranks).predicted_makespan();
+  else
+    plan.makespan_seconds = plan.lower_bound_seconds + plan.longest_seconds * (ranks - 1) / ranks;  // Graham 1969
   return plan;
 }
 
@@ -93,8 +96,10 @@ void print_json(const Sweep& sweep, const Plan& plan, int ranks) {
 int plan(const PlanOptions& options) {
   const Sweep sweep = Sweep::load(options.spec);
   const Plan result = plan_of(sweep, options.ranks);
-  if (options.json) print_json(sweep, result, options.ranks);
-  else print_text(sweep, result, options.ranks);
+  if (options.json)
+    print_json(sweep, result, options.ranks);
+  else
+    print_text(sweep, result, options.ranks);
   return 0;
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "run.hpp"
 #include "sigmasweep/comm/world.hpp"
 #include "sigmasweep/errors.hpp"
 

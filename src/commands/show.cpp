@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "commands.hpp"
 #include "json_row.hpp"
@@ -8,8 +8,6 @@
 
 namespace sigmasweep {
 namespace {
-
-constexpr std::uint64_t default_limit = 40;
 
 /// A number short enough for a column; everything else in full.
 std::string cell(const Field& field, const Row& row) {
@@ -36,7 +34,8 @@ void print_columns(const std::vector<Field>& fields, const std::vector<const Row
     for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
   for (std::size_t k = 0; k < lines.size(); ++k) {
     std::string out;
-    for (std::size_t i = 0; i < widths.size(); ++i) out += fmt::format("{}{:>{}}", i ? "  " : "", lines[k][i], widths[i]);
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      out += fmt::format("{}{:>{}}", i ? "  " : "", lines[k][i], widths[i]);
     fmt::print("{}\n", out);
     if (with_command && k >= 2) fmt::print("  {}\n", repeat_command(*rows[k - 2]));
   }
@@ -53,21 +52,17 @@ void print_text(const StoredSweep& stored, const ShowOptions& options, const std
     return;
   }
   print_columns(table.columns, rows, options.failed);
-  if (matching > rows.size())
-    fmt::print("... {} more (--limit 0 shows all, --where some)\n", matching - rows.size());
+  if (matching > rows.size()) fmt::print("... {} more (--limit 0 shows all, --where some)\n", matching - rows.size());
 }
 
 void print_json(const StoredSweep& stored, const ShowOptions& options, const std::vector<const Row*>& rows,
                 std::size_t matching) {
   const Table& table = stored.table;
-  nlohmann::ordered_json document = {{"title", table.info.title},
-                                     {"spec_hash", fmt::format("{:016x}", table.info.spec_hash)},
-                                     {"start", table.info.start},
-                                     {"host", table.info.host},
-                                     {"ranks", table.info.ranks},
-                                     {"rows", table.rows.size()},
-                                     {"matching", matching},
-                                     {"results", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json document = {
+      {"title", table.info.title}, {"spec_hash", fmt::format("{:016x}", table.info.spec_hash)},
+      {"start", table.info.start}, {"host", table.info.host},
+      {"ranks", table.info.ranks}, {"rows", table.rows.size()},
+      {"matching", matching},      {"results", nlohmann::ordered_json::array()}};
   for (const Row* row : rows) {
     nlohmann::ordered_json result = {{"row", row->index}};
     result.update(json_of(table.columns, *row));
@@ -86,15 +81,17 @@ int show(const ShowOptions& options) {
   std::optional<Where> where;
   if (!options.where.empty()) where.emplace(options.where, fields);
   const StoredSweep stored = read_stored_sweep(options.table);
-  const std::uint64_t limit = options.limited ? options.limit : options.json ? 0 : default_limit;
+  const std::uint64_t limit = options.limit.value_or(options.json ? 0 : ShowOptions::default_limit);
   std::vector<const Row*> rows;
   std::size_t matching = 0;
   for (const Row& row : stored.table.rows) {
     if ((options.failed && is_success(row.collision.status)) || (where && !(*where)(row))) continue;
     if (++matching <= limit || limit == 0) rows.push_back(&row);
   }
-  if (options.json) print_json(stored, options, rows, matching);
-  else print_text(stored, options, rows, matching);
+  if (options.json)
+    print_json(stored, options, rows, matching);
+  else
+    print_text(stored, options, rows, matching);
   return 0;
 }
 

@@ -1,8 +1,8 @@
 #include "stored_sweep.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/scene/names.hpp"

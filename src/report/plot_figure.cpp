@@ -1,9 +1,9 @@
 #include "plot_figure.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <set>
@@ -127,8 +127,8 @@ void take_turns(Figure& figure) {
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
     if (figure.curves[i].line) continue;
     for (const Point& p : figure.curves[i].points)
-      cells[{std::lround(columns * fraction(figure.x, p.x)), std::lround(lines * fraction(figure.y, p.y))}]
-          .try_emplace(i, p);
+      cells[{std::lround(columns * fraction(figure.x, p.x)), std::lround(lines * fraction(figure.y, p.y))}].try_emplace(
+          i, p);
     figure.curves[i].points.clear();
   }
   for (const auto& [place, candidates] : cells) {
@@ -157,11 +157,16 @@ Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::str
   Curves curves(spec, x, y);
   for (const Row& row : rows) {
     const Point point{number(x, row), number(y, row)};
-    if (!is_success(row.collision.status)) ++dropped.failed;
-    else if (!std::isfinite(point.x) || !std::isfinite(point.y)) ++dropped.not_finite;
-    else if (spec.x_log && point.x <= 0.0) ++dropped.not_positive_x;
-    else if (spec.y_log && point.y <= 0.0) ++dropped.not_positive_y;
-    else curves.of(row).points.push_back(point);
+    if (!is_success(row.collision.status))
+      ++dropped.failed;
+    else if (!std::isfinite(point.x) || !std::isfinite(point.y))
+      ++dropped.not_finite;
+    else if (spec.x_log && point.x <= 0.0)
+      ++dropped.not_positive_x;
+    else if (spec.y_log && point.y <= 0.0)
+      ++dropped.not_positive_y;
+    else
+      curves.of(row).points.push_back(point);
   }
   figure.note = note_of(dropped, x, y);
   figure.curves = curves.take();

@@ -15,20 +15,20 @@ struct Point {
 };
 
 struct Curve {
-  std::string label;   ///< for the key, in gnuplot's enhanced text; empty: none
-  bool line = false;   ///< hard spheres: a dashed line; soft ones: symbols
+  std::string label;  ///< for the key, in gnuplot's enhanced text; empty: none
+  bool line = false;  ///< hard spheres: a dashed line; soft ones: symbols
   std::vector<Point> points;
 };
 
 struct Axis {
-  std::string label;   ///< enhanced text
+  std::string label;  ///< enhanced text
   bool log = false;
   double from = 0.0, to = 1.0;  ///< a little more than the data
 };
 
 struct Figure {
-  std::string title;   ///< as the user wrote it
-  std::string note;    ///< what is not drawn; enhanced text
+  std::string title;  ///< as the user wrote it
+  std::string note;   ///< what is not drawn; enhanced text
   Axis x, y;
   std::vector<Curve> curves;
 };

@@ -1,9 +1,9 @@
 #include "plot_labels.hpp"
 
+#include <fmt/format.h>
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fmt/format.h>
 #include <string_view>
 
 namespace sigmasweep::plot {

@@ -1,8 +1,8 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fmt/format.h>
 #include <iterator>
 #include <string_view>
 
@@ -13,8 +13,8 @@ namespace sigmasweep::plot {
 namespace {
 
 // Okabe and Ito's colours, distinct for all kinds of colour vision. Seven colours and eight symbols: 56 pairs.
-constexpr auto colours = std::to_array<std::string_view>(
-    {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7F6000"});
+constexpr auto colours =
+    std::to_array<std::string_view>({"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7F6000"});
 constexpr auto symbols = std::to_array<int>({6, 4, 8, 12, 10, 2, 14, 1});
 constexpr std::size_t longest_key = 24;
 
@@ -48,8 +48,10 @@ std::size_t visible_length(std::string_view text) {
   constexpr std::string_view italic = "{/:Italic ";
   std::size_t length = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text.substr(i, italic.size()) == italic) i += italic.size() - 1;
-    else if (std::string_view("{}_^\\").find(text[i]) == std::string_view::npos && (text[i] & 0xC0) != 0x80) ++length;
+    if (text.substr(i, italic.size()) == italic)
+      i += italic.size() - 1;
+    else if (std::string_view("{}_^\\").find(text[i]) == std::string_view::npos && (text[i] & 0xC0) != 0x80)
+      ++length;
   }
   return length;
 }
@@ -73,9 +75,9 @@ std::string key_place(const Figure& figure, std::size_t entries, std::size_t let
   };
   const double width = 0.09 + 0.0108 * static_cast<double>(letters);
   const double height = 0.03 + 0.047 * static_cast<double>(entries);
-  for (const Place& place : {Place{"right top", true, 1.0}, Place{"left top", false, 1.0}, Place{"right bottom", true, 0.0},
-                             Place{"left bottom", false, 0.0}, Place{"right center", true, 0.5},
-                             Place{"left center", false, 0.5}}) {
+  for (const Place& place :
+       {Place{"right top", true, 1.0}, Place{"left top", false, 1.0}, Place{"right bottom", true, 0.0},
+        Place{"left bottom", false, 0.0}, Place{"right center", true, 0.5}, Place{"left center", false, 0.5}}) {
     const double low = place.bottom * (1.0 - height);
     const auto covers = [&](const Point& p) {
       const double x = fraction(figure.x, p.x), y = fraction(figure.y, p.y);
@@ -130,9 +132,11 @@ std::string gnuplot_script(const Figure& figure, Form form) {
   std::string out = fmt::format("set encoding utf8\nset terminal {} font 'DejaVu Sans,{:.3g}'\n", options, size);
   out += title_command(figure.title, form);
   out += axis_commands('x', figure.x) + axis_commands('y', figure.y);
-  out += "set border 3 linecolor '#404040'\nset tics nomirror out\n"
-         "set grid xtics ytics linetype 1 linecolor '#E4E4E4' linewidth 0.6\n"
-         "set label 1 " + quoted(note) + " at screen 0.985,0.025 right " + font(form, 0.75) + " textcolor '#606060'\n";
+  out +=
+      "set border 3 linecolor '#404040'\nset tics nomirror out\n"
+      "set grid xtics ytics linetype 1 linecolor '#E4E4E4' linewidth 0.6\n"
+      "set label 1 " +
+      quoted(note) + " at screen 0.985,0.025 right " + font(form, 0.75) + " textcolor '#606060'\n";
   if (!note.empty()) out += "set bmargin 4.8\n";
   out += (entries > longest_key ? "unset key" : key_place(figure, entries, letters) + " " + font(form, 0.8)) + "\n";
 

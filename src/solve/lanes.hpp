@@ -3,6 +3,13 @@
 #include <array>
 #include <cstddef>
 
+// A loop over a few registers, unrolled so that they are registers. Sanitizers would put their checks into every copy.
+#ifdef SIGMASWEEP_SANITIZED
+#define SIGMASWEEP_UNROLL
+#else
+#define SIGMASWEEP_UNROLL _Pragma("GCC unroll 16")
+#endif
+
 namespace sigmasweep {
 
 /// Eight neighbouring numbers that go through the same arithmetic: one AVX-512 register (or what the machine has) for

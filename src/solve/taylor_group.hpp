@@ -196,10 +196,10 @@ class TaylorGroup {
     }
     for (int p = 0; p + 2 <= order; ++p) {
       const auto [spring, dashpot] = weights(p);
-#pragma GCC unroll 8
+      SIGMASWEEP_UNROLL
       for (int c = 0; c < chains; ++c)
         f[c] = (K[c % InRegisters] * Block(spring)) * a[c] + (C[c % InRegisters] * Block(dashpot)) * b[c];
-#pragma GCC unroll 8
+      SIGMASWEEP_UNROLL
       for (int c = 0; c < chains; ++c) {
         const int r = c % InRegisters;
         a[c] = b[c];
@@ -257,9 +257,9 @@ class TaylorGroup {
     Block rest;
     for (int p = screen + 1; p <= order; ++p) rest = rest + magnitude(term(p, 0, block));
     rest = rest * Block(power / limit);  // limit^p <= limit^screen
-#pragma GCC unroll 16
+    SIGMASWEEP_UNROLL
     for (std::size_t level = 1; level <= screen; ++level)
-#pragma GCC unroll 16
+      SIGMASWEEP_UNROLL
       for (std::size_t p = screen; p >= level; --p) b[p] = b[p] + b[p - 1];
     Block suspect{Real(never)};
     for (std::size_t p = screen + 1; p-- > 0;) suspect = where_above(b[p], rest, suspect, Block(Real(double(p))));

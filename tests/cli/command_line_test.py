@@ -130,7 +130,8 @@ class Answers(Files):
 
     def test_plan_of_a_huge_sweep_is_a_sample(self):
         axis = "{ from = 0.1, to = 100, count = 1000 }"
-        spec = SPEC.replace("[0.1, 1, 10]", axis).replace("v0 = 1.0", "v0 = " + axis).replace("tc = 1e-5", "tc = " + axis)
+        spec = SPEC.replace("[0.1, 1, 10]", axis)
+        spec = spec.replace("v0 = 1.0", "v0 = " + axis).replace("tc = 1e-5", "tc = " + axis)
         plan = json.loads(sigmasweep("plan", self.write(spec), "--json").stdout)
         self.assertEqual((plan["tuples"], plan["estimated_from_sample"]), (2 * 10**9, True))
         self.assertGreater(plan["core_seconds"], 2 * 10**9 * 1e-8)

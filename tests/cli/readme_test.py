@@ -30,8 +30,8 @@ class Readme(unittest.TestCase):
         self.environment = dict(os.environ, PATH=f"{PROGRAM.parent}:{os.environ['PATH']}")
 
     def execute(self, command, **options):
-        ended = subprocess.run(command, cwd=self.path, env=self.environment, timeout=100, capture_output=True, text=True,
-                               **options)
+        ended = subprocess.run(command, cwd=self.path, env=self.environment, capture_output=True, text=True,
+                               timeout=100, **options)
         self.assertEqual(ended.returncode, 0, ended)
         return ended.stdout
 
