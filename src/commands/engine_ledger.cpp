@@ -1,8 +1,10 @@
 #include "engine_ledger.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include "sigmasweep/errors.hpp"
@@ -15,6 +17,17 @@ namespace {
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
   throw OutputError(fmt::format("{}: {}; nothing was changed. Choose another output with -o, or --fresh to replace it",
                                 path, what));
+}
+
+/// What the journal belongs to. Throws SpecError where the rows do not fit into this machine's memory (half of it, as
+/// they are there twice while they are read back) or the count of a collective write.
+JournalIdentity identity_of(const Sweep& sweep) {
+  const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
+  const double needed = double(sweep.size()) * double(sizeof(Row));
+  if (needed > memory / 2 || sweep.size() > std::uint64_t(std::numeric_limits<std::int32_t>::max()))
+    throw SpecError(fmt::format("{} rows take {:.3g} GB, this machine can hold {:.3g}: split the sweep", sweep.size(),
+                                needed * 1e-9, memory / 2 * 1e-9));
+  return {sweep.hash(), physics_version, sweep.size()};
 }
 
 /// The table at `path`, which must be this sweep's.
@@ -36,7 +49,7 @@ Table table_of(const Sweep& sweep, const std::string& path) {
 }  // namespace
 
 Ledger::Ledger(const Sweep& sweep, const std::string& table, bool fresh)
-    : journal_(table, {sweep.hash(), physics_version, sweep.size()}, fresh),
+    : journal_(table, identity_of(sweep), fresh),
       rows_(sweep.size()), have_(sweep.size(), false) {
   take_journal(sweep);
   const bool begun = !journal_.recovered().empty();

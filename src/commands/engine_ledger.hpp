@@ -18,7 +18,7 @@ class Ledger {
   /// Takes the lock, then looks at what is there already. A table that is complete for this spec gives all its rows;
   /// a journal gives the rows it has, if their parameters are still the same to the bit. A journal with rows is younger
   /// than the table beside it (the run removes it last, and --fresh keeps the table until it can replace it).
-  /// Throws OutputError (locked; a table or journal of something else, unless `fresh`), IoError.
+  /// Throws SpecError (more rows than fit into memory), OutputError (locked; a table or journal of something else, unless `fresh`), IoError.
   Ledger(const Sweep& sweep, const std::string& table, bool fresh);
 
   bool table_is_complete() const { return table_is_complete_; }

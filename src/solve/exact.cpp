@@ -86,14 +86,14 @@ Collision simulate_exact(const Parameters& p) {
   c.eps_eff_error = std::min(c.eps_eff_error, spread(p, options, c.eps_eff));
   if (c.eps_eff_error <= p.tolerance) return c;
 
-  if (wanted < gain<long double>() && effort.work <= long_double_limit) {
-    const Collision wide = computed_in<long double>(p, options, effort);
-    if (wide.status != Status::ok || wide.eps_eff_error <= p.tolerance) return wide;
-  }
-  if (wanted < gain<Quad>() && effort.work <= quad_limit) {
-    const Collision wide = computed_in<Quad>(p, options, effort);
-    if (wide.status != Status::ok || wide.eps_eff_error <= p.tolerance) return wide;
-  }
+  const auto keep_better = [&](const Collision& wide) {
+    if (wide.status == Status::ok && wide.eps_eff_error < c.eps_eff_error) c = wide;
+    return c.eps_eff_error <= p.tolerance;
+  };
+  if (wanted < gain<long double>() && effort.work <= long_double_limit &&
+      keep_better(computed_in<long double>(p, options, effort)))
+    return c;
+  if (wanted < gain<Quad>() && effort.work <= quad_limit && keep_better(computed_in<Quad>(p, options, effort))) return c;
   c.eps_eff_error = std::min(1.0, c.eps_eff_error);
   c.status = Status::tolerance_missed;
   return c;

@@ -54,7 +54,7 @@ Outcome<Real> ExactColumn<Real, Disturbances>::run() {
       outcome.end = End::separated;
       break;
     }
-    if (contacts_ >= options_.event_limit || step >= step_limit || !(t >= 0)) {
+    if (contacts_ >= options_.event_limit || step >= step_limit || work_ >= options_.work_limit || !(t >= 0)) {
       outcome.status = t >= 0 ? Status::event_limit : Status::non_finite;
       break;
     }
@@ -157,14 +157,8 @@ void ExactColumn<Real, Disturbances>::move_taylor(Group& group, const Real& elap
                           std::span(motion_[m].u).subspan(group.lo, n));
   if (Disturbances > 0 && s > 0)
     for (std::size_t i = 0; i < n; ++i) disturb(group.lo + i, group.taylor.magnitude_of(i, s));
-  // An overlap that grew at first and shrinks now was largest in between; as x is concave there it lies below both
-  // tangents.
-  for (std::size_t i = 0; i < n; ++i) {
-    const State before = group.taylor.start(i), now = state(group.lo + i);
-    if (!closed_[group.lo + i] || !(before.u > 0) || !(now.u < 0)) continue;
-    if (std::min(before.x + before.u * elapsed, now.x - now.u * elapsed) > x_max_)
-      x_max_ = std::max(x_max_, group.taylor.deepest(i, s));
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    if (closed_[group.lo + i]) x_max_ = group.taylor.deepest(i, s, x_max_);
 }
 
 template <class Real, int Disturbances>

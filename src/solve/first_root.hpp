@@ -115,6 +115,7 @@ class FirstRoot {
     std::uint64_t negative = 0;  // bit i: b_i < 0; a zero counts as positive, which can only add sign changes
     for (std::size_t i = 0; i < terms; ++i) negative |= std::uint64_t(b[i] < 0) << i;
     if (negative == 0) return std::nullopt;
+    if (negative & 1) return left;  // by rounding: the root is this interval's start
     const std::uint64_t all = (std::uint64_t(1) << terms) - 1;
     const int changes = std::popcount((negative ^ (negative << 1)) & all);  // q starts positive
     if (changes == 1) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -137,25 +136,27 @@ class TaylorGroup {
     return {a0 + a1 + a2 + a3, (a1 + 2 * a2 + 3 * a3) / (s * h_)};
   }
 
-  /// The overlap of contact i where its rate changes sign within (0, s h).
-  Real deepest(std::size_t i, const Real& s) const {
-    Real low = 0, high = s, t = s / 2, x = 0;
-    for (int iteration = 0; iteration < 60; ++iteration) {
-      Real slope = 0, half_curvature = 0;
-      x = 0;
-      for (int p = order; p >= 0; --p) {
-        half_curvature = half_curvature * t + slope;
-        slope = slope * t + x;
-        x = x * t + coefficient(p, i);
-      }
-      (slope > 0 ? low : high) = t;
-      Real next = t - slope / (2 * half_curvature);
-      if (!(next > low && next < high)) next = (low + high) / 2;
-      const Real change = next > t ? Real(next - t) : Real(t - next);
-      if (change * change < std::numeric_limits<Real>::epsilon() * s * s) break;  // x is flat here: error change^2
-      t = next;
+  /// The largest of `known` and the overlap of contact i within [0, s h]. Its rate is looked at in a few places, and
+  /// where it goes from positive to negative between two of them the overlap's maximum is located.
+  Real deepest(std::size_t i, const Real& s, const Real& known) const {
+    Real bound = coefficient(0, i), power = 1;
+    for (int p = 1; p <= order; ++p) {
+      power *= s;
+      if (coefficient(p, i) > 0) bound += coefficient(p, i) * power;
     }
-    return x;
+    if (!(bound > known)) return known;
+    constexpr int places = 8;
+    Real largest = known, before = 0;
+    Jet at_before = jet(i, before);
+    for (int place = 1; place <= places; ++place) {
+      const Real here = s * Real(place) / Real(places);
+      const Jet at_here = jet(i, here);
+      largest = std::max(largest, at_here.x);
+      if (at_before.slope > 0 && at_here.slope < 0) largest = std::max(largest, maximum(i, before, here));
+      before = here;
+      at_before = at_here;
+    }
+    return largest;
   }
 
   const Real& step() const { return h_; }
@@ -221,6 +222,34 @@ class TaylorGroup {
         for (std::size_t b = 0; b < blocks_; ++b)
           term(p + 2, m, b) = shifted_up(f[b - 1], f[b]) + shifted_down(f[b], f[b + 1]) - w_[b] * f[b];
       }
+    }
+  }
+
+  struct Jet {
+    Real x{}, slope{}, half_curvature{};
+  };
+  Jet jet(std::size_t i, const Real& t) const {
+    Jet j;
+    for (int p = order; p >= 0; --p) {
+      j.half_curvature = j.half_curvature * t + j.slope;
+      j.slope = j.slope * t + j.x;
+      j.x = j.x * t + coefficient(p, i);
+    }
+    return j;
+  }
+
+  /// The overlap of contact i where its rate changes from positive at `low` to negative at `high`.
+  Real maximum(std::size_t i, Real low, Real high) const {
+    const Real width = high - low;
+    Real t = (low + high) / 2;
+    for (int iteration = 0;; ++iteration) {
+      const Jet j = jet(i, t);
+      (j.slope > 0 ? low : high) = t;
+      Real next = t - j.slope / (2 * j.half_curvature);
+      if (!(next > low && next < high)) next = (low + high) / 2;
+      const Real change = next - t;  // x is flat here: its error is change^2
+      if (iteration == 60 || change * change < std::numeric_limits<Real>::epsilon() * width * width) return j.x;
+      t = next;
     }
   }
 

@@ -75,6 +75,13 @@ class WrongCommands(Files):
         self.assertEqual([p.name for p in self.path.iterdir()], ["spec.toml"])
         self.check(73, ["missing/t.h5"], "run", self.write(SPEC), "-o", self.path / "missing" / "t.h5")
 
+    def test_a_sweep_too_large_for_memory(self):
+        count = 1 << 26
+        axes = f"{{ from = 0.1, to = 10, count = {count} }}\ns0 = 1e-6\nd = {{ from = 1e-3, to = 2e-3, count = 8192 }}"
+        spec = SPEC.replace("v0 = 1.0\n", "").replace("sigma = [0.1, 1, 10]", "v0 = " + axes)
+        self.check(65, ["rows take", "split"], "run", self.write(spec), "-o", self.path / "t.h5")
+        self.assertEqual([f.name for f in self.path.iterdir() if f.name.endswith(".journal")], [])
+
 
 class Answers(Files):
     def test_help_and_version(self):

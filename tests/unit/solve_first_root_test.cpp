@@ -84,6 +84,29 @@ TEST(FirstRoot, FindsAPairOfRootsThatAlmostTouch) {
     }
 }
 
+// A root on a point of bisection, beside complex pairs that force the halving.
+TEST(FirstRoot, OnABisectionPoint) {
+  const unsigned seed = 3;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int trial = 0; trial < 200'000; ++trial) {
+    const int level = 1 + int(random() % 4);
+    const double root = (1.0 + double(random() % ((1u << level) - 1))) / double(1u << level);
+    Polynomial p = with_roots({root});
+    for (int pair = 0; pair < 3; ++pair) {  // times ((t - a)^2 + b^2)/(a^2 + b^2)
+      const double a = uniform(random), b = 0.02 + 0.3 * uniform(random), norm = a * a + b * b;
+      Polynomial q{};
+      for (std::size_t i = 0; i <= order; ++i)
+        q[i] = p[i] + (i > 0 ? -2.0 * a / norm * p[i - 1] : 0.0) + (i > 1 ? p[i - 2] / norm : 0.0);
+      p = q;
+    }
+    const auto found = Root::find(p, 1.0);
+    ASSERT_TRUE(found) << trial;
+    ASSERT_NEAR(*found, root, 1e-6) << trial;  // pairs of 0.02 beside the root: condition up to 1e9
+  }
+}
+
 TEST(FirstRoot, ADipThatStaysPositiveIsNoRoot) {
   Polynomial p{};  // (t - 1/2)^2 + 1e-12
   p[0] = 0.25 + 1e-12;

@@ -12,7 +12,8 @@ namespace sigmasweep {
 
 struct ExactOptions {
   double settle = 1e-13;          ///< stop once later collisions can change eps_eff by less than this; 0: never
-  std::uint64_t event_limit = 0;  ///< contact events before giving up; 0: 100,000 + 20 N^2
+  std::uint64_t event_limit = 0;  ///< contacts before giving up (and 8 times as many steps); 0: 100,000 + 20 N^2
+  std::uint64_t work_limit = 100'000'000;  ///< contacts propagated, summed over the steps, before giving up: minutes
 };
 
 /// One collision. Real is double, long double or Quad; the result is good to a few roundings of Real times the
@@ -20,9 +21,11 @@ struct ExactOptions {
 template <class Real>
 Outcome<Real> exact_collision(const Column<Real>& column, const ExactOptions& options = {});
 
-/// The tuple's collision with an error bar. Runs in double together with a twin that is disturbed in the last bits;
-/// what the two disagree by, and what is left to dissipate, make eps_eff_error. Where that is above the tolerance
-/// (long bounce sequences amplify any error) the wider types follow; status tolerance_missed where even those fail.
+/// The tuple's collision with an error bar. A linearised disturbance, fed with the rounding errors of every step, runs
+/// beside the column; its size at the end, and what is left to dissipate, make eps_eff_error. Where that is above the
+/// tolerance, two twins of the column that differ in the thirteenth digit have the second say, and then the wider
+/// types, if about a second is enough for them. Status tolerance_missed with the smallest error found where none meets
+/// the tolerance. contacts, t_k and x_max are those up to the stop at `settle` = tolerance/1000.
 Collision simulate_exact(const Parameters& parameters);
 
 }  // namespace sigmasweep
