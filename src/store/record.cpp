@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "packing.hpp"
+#include "sigmasweep/store/build_info.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
 namespace sigmasweep {
@@ -39,6 +40,12 @@ std::uint64_t checksum_of(const JournalHeader& header) {
   return XXH3_64bits(&header, offsetof(JournalHeader, checksum));
 }
 
+std::uint32_t build_hash() {
+  const BuildInfo& info = build_info();
+  const std::string build = fmt::format("{}\n{}\n{}", info.program_version, info.compiler, info.compiler_flags);
+  return static_cast<std::uint32_t>(XXH3_64bits(build.data(), build.size()));
+}
+
 }  // namespace
 
 JournalHeader make_header(const JournalIdentity& identity) {
@@ -51,6 +58,7 @@ JournalHeader make_header(const JournalIdentity& identity) {
   header.spec_hash = identity.spec_hash;
   header.rows = identity.rows;
   header.physics_version = identity.physics_version;
+  header.build = build_hash();
   header.checksum = checksum_of(header);
   return header;
 }
@@ -70,6 +78,8 @@ std::string why_unusable(const JournalHeader& found, std::size_t size, const Jou
   if (found.physics_version != wanted.physics_version)
     return fmt::format("was begun with physics version {}, this program has {}", found.physics_version,
                        wanted.physics_version);
+  if (found.build != wanted.build)
+    return "was begun by another build of the program, whose last digits may differ";
   if (found.rows != wanted.rows)
     return fmt::format("is of a sweep of {} rows, this one has {}", found.rows, wanted.rows);
   return {};

@@ -24,7 +24,7 @@ struct JournalHeader {
   std::uint64_t spec_hash = 0;
   std::uint64_t rows = 0;
   std::uint32_t physics_version = 0;
-  std::uint32_t unused = 0;
+  std::uint32_t build = 0;  ///< hash of compiler, its options and the program's version: what the last digits hang on
   std::uint64_t checksum = 0;  ///< xxh3 of all before
 };
 
