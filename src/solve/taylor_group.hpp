@@ -37,7 +37,7 @@ class TaylorGroup {
     contacts_ = contacts;
     blocks_ = (contacts + Block::count - 1) / Block::count;
     a_.resize((order + 1) * Motions * blocks_);
-    for (auto* v : {&suspect_, &examined_})
+    for (auto* v : {&suspect_, &examined_, &highest_})
       if (v->size() < blocks_) v->resize(blocks_);
     if (force_.size() < Motions * (blocks_ + 2)) force_.resize(Motions * (blocks_ + 2));
     for (auto* v : {&K_, &C_, &w_, &sign_}) v->assign(blocks_, Block());
@@ -137,15 +137,11 @@ class TaylorGroup {
   }
 
   /// The largest of `known` and the overlap of contact i within [0, s h]. Its rate is looked at in a few places, and
-  /// where it goes from positive to negative between two of them the overlap's maximum is located.
+  /// where it goes from positive to negative between two of them the overlap's maximum is located. After
+  /// first_crossing(), which bounds the overlaps from above: few need the look.
   Real deepest(std::size_t i, const Real& s, const Real& known) const {
-    Real bound = coefficient(0, i), power = 1;
-    for (int p = 1; p <= order; ++p) {
-      power *= s;
-      if (coefficient(p, i) > 0) bound += coefficient(p, i) * power;
-    }
-    if (!(bound > known)) return known;
-    constexpr int places = 8;
+    if (!(at(highest_, i) > known)) return known;
+    constexpr int places = 4;
     Real largest = known, before = 0;
     Jet at_before = jet(i, before);
     for (int place = 1; place <= places; ++place) {
@@ -172,6 +168,7 @@ class TaylorGroup {
     return a_[std::size_t(p * Motions + motion) * blocks_ + block];
   }
   static Real& at(Blocks& v, std::size_t i) { return v[i / Block::count][i % Block::count]; }
+  static Real at(const Blocks& v, std::size_t i) { return v[i / Block::count][i % Block::count]; }
   Real coefficient(int p, std::size_t i) const { return term(p, 0, i / Block::count)[i % Block::count]; }
 
   /// What takes the terms p and p + 1 to the force's term p times h^2/((p+1)(p+2)).
@@ -290,6 +287,11 @@ class TaylorGroup {
     for (std::size_t level = 1; level <= screen; ++level)
       SIGMASWEEP_UNROLL
       for (std::size_t p = screen; p >= level; --p) b[p] = b[p] + b[p - 1];
+    if (limit == Real(1)) {  // the same coefficients bound a closed contact's overlap (of x(t)/t >= x(t)) from above
+      Block highest = b[0];
+      for (std::size_t p = 1; p <= screen; ++p) highest = where_above(highest, b[p], highest, b[p]);
+      highest_[block] = highest + rest;
+    }
     Block suspect{Real(never)};
     for (std::size_t p = screen + 1; p-- > 0;) suspect = where_above(b[p], rest, suspect, Block(Real(double(p))));
     suspect_[block] = where_zero(examined_[block], suspect, Block(Real(never)));
@@ -297,7 +299,7 @@ class TaylorGroup {
 
   std::size_t contacts_ = 0, blocks_ = 0;
   Real h_{};
-  Blocks a_, K_, C_, w_, sign_, suspect_, examined_, force_;
+  Blocks a_, K_, C_, w_, sign_, suspect_, examined_, highest_, force_;
 };
 
 }  // namespace sigmasweep
