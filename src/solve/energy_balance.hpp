@@ -23,7 +23,7 @@ class EnergyBalance {
     using std::sqrt;
     for (const Real& v : v_) energy_ += v * v;
     for (std::size_t k = 0; k < v_.size(); ++k)
-      if (closed_[k]) energy_ += K(k) * x_[k] * x_[k];
+      if (closed_[k]) energy_ += column_.spring(k) * x_[k] * x_[k];
     scale_ = sqrt(Real(static_cast<double>(v_.size()))) * column.speed;
   }
 
@@ -36,8 +36,8 @@ class EnergyBalance {
     Real lost = 0;  // E - |P v'|^2 = (elastic) + (|v|^2 - |v'|^2) + |v' - P v'|^2, twice the energies
     for (std::size_t k = 0; k < v_.size(); ++k) {
       if (!closed_[k]) continue;
-      lost += K(k) * x_[k] * x_[k];
-      const Real impulse = C(k) * x_[k];
+      lost += column_.spring(k) * x_[k] * x_[k];
+      const Real impulse = column_.dashpot(k) * x_[k];
       handed_on[k] -= impulse;
       if (k > 0) handed_on[k - 1] += impulse;
     }
@@ -55,7 +55,7 @@ class EnergyBalance {
     Real half = 0;
     for (std::size_t k = 0; k < v_.size(); ++k) {
       half += v_[k] * velocity[k];
-      if (closed_[k]) half += K(k) * x_[k] * overlap[k];
+      if (closed_[k]) half += column_.spring(k) * x_[k] * overlap[k];
     }
     const Real size = abs(half) / (sqrt(energy_) * scale_);
     const Real infinity = std::numeric_limits<Real>::infinity();
@@ -63,9 +63,6 @@ class EnergyBalance {
   }
 
  private:
-  const Real& K(std::size_t k) const { return k == 0 ? column_.K_wall : column_.K; }
-  const Real& C(std::size_t k) const { return k == 0 ? column_.C_wall : column_.C; }
-
   const Column<Real>& column_;
   std::span<const std::uint8_t> closed_;
   std::span<const Real> x_;

@@ -105,7 +105,8 @@ template <class Real, int Disturbances>
 void ExactColumn<Real, Disturbances>::change_contact(std::size_t k, const Real& t) {
   for (int m = 1; m < motions; ++m) {
     auto& u = motion_[m].u;
-    const Real impulse = closed_[k] ? Real(-C(k) * motion_[m].x[k]) : Real(C(k) * motion_[m].x[k]);
+    const Real handed_on = column_.dashpot(k) * motion_[m].x[k];
+    const Real impulse = closed_[k] ? Real(-handed_on) : handed_on;
     u[k] -= inertia(k) * impulse;
     if (k > 0) u[k - 1] += impulse;
     if (k + 1 < N_) u[k + 1] += impulse;
@@ -288,7 +289,7 @@ void ExactColumn<Real, Disturbances>::begin_taylor(Group& group) {
     taylor.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t k = group.lo + i;
-      taylor.set_law(i, closed_[k], K(k), C(k), inertia(k));
+      taylor.set_law(i, closed_[k], column_.spring(k), column_.dashpot(k), inertia(k));
     }
     group.longest = longest_step(group);
     group.prepared = true;

@@ -69,8 +69,6 @@ class ExactColumn {
     Real remaining{};    ///< at most this can sqrt(E/E_0) still fall
   };
 
-  const Real& K(std::size_t k) const { return k == 0 ? column_.K_wall : column_.K; }
-  const Real& C(std::size_t k) const { return k == 0 ? column_.C_wall : column_.C; }
   static Real inertia(std::size_t k) { return k == 0 ? Real(1) : Real(2); }
   const BinaryContact<Real>& binary(std::size_t k) const { return k == 0 ? wall_ : pair_; }
   State state(std::size_t k) const { return {x_[k], u_[k]}; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +24,10 @@ struct Column {
   Real eps_wall{}; ///< wall restitution, for hard spheres
   Real K{}, C{};             ///< pair: spring K/m and dashpot D_n, both over the bead mass
   Real K_wall{}, C_wall{};   ///< wall
+
+  /// Of contact k, counted from 0, the wall's.
+  const Real& spring(std::size_t k) const { return k == 0 ? K_wall : K; }
+  const Real& dashpot(std::size_t k) const { return k == 0 ? C_wall : C; }
 };
 
 /// The column in reduced units: time in tc, length in v0 tc. Only sigma, N and epsilon are left, nothing cancels.
