@@ -1,9 +1,13 @@
 #include "sigmasweep/scene/parameters.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
+
+#include "sigmasweep/scene/calibration.hpp"
+#include "sigmasweep/scene/law.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -20,24 +24,69 @@ bool within(double value, double low, double high) { return value >= low && valu
 
 }  // namespace
 
-Parameters complete(Parameters parameters, Gap given) {
-  // One product for both ways: rows with the same s0, v0, tc get the same sigma to the bit. Nothing to divide when
-  // s0 = 0, so that a v0 tc too small for a double does no harm there.
-  const double unit_length = parameters.v0 * parameters.tc;
+/// Spring from the elasticity, Sec. III B, dashpot from the restitution at 1 m/s. For the linear law both from the
+/// contact time that Hertz's has at 1 m/s.
+void give_material(Parameters& p) {
+  if (p.material == Material::none) return;
+  constexpr double reference_speed = 1.0;
+  const Bead& bead = sigmasweep::bead(p.material);
+  const auto law_of = [&](Exponents e) {
+    return PairLaw{e, elastic_constant(bead) * std::pow(bead.d, 1.0 - e.beta) / (0.5 * bead.mass), 0.0};
+  };
+  p.d = bead.d;
+  if (const Exponents e = exponents(p); e.linear()) {
+    const double tc = theory::contact_time(law_of({0.5, 0.0}), reference_speed);
+    const Oscillator<double> pair = oscillator(tc, bead.epsilon);
+    p.K_over_m = pair.omega0_2;
+    p.D_n = pair.mu;
+  } else {
+    p.K_over_m = law_of(e).k;
+    p.D_n = 0.5 * damping(e, p.K_over_m, reference_speed, bead.epsilon);
+  }
+}
+
+/// tc and epsilon at v0 from K_over_m and D_n.
+void give_pair(Parameters& p) {
+  if (!(p.K_over_m > 0.0)) return;
+  const PairLaw law{exponents(p), p.K_over_m, 2.0 * p.D_n};
+  const PairCollision pair = collide(law, p.v0);
+  p.tc = law.exponents.linear() ? pair.duration : theory::contact_time(law, p.v0);
+  p.epsilon = pair.eps > 0.0 ? pair.eps : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// One product for both ways: rows with the same s0, v0, tc get the same sigma to the bit. Nothing to divide when
+/// s0 = 0, so that a v0 tc too small for a double does no harm there.
+void give_gap(Parameters& p, Gap given) {
+  const double unit_length = p.v0 * p.tc;
   if (given == Gap::s0)
-    parameters.sigma = parameters.s0 == 0.0 ? 0.0 : parameters.s0 / unit_length;
+    p.sigma = p.s0 == 0.0 ? 0.0 : p.s0 / unit_length;
   else
-    parameters.s0 = parameters.sigma * unit_length;
+    p.s0 = p.sigma * unit_length;
+}
+
+Parameters complete(Parameters parameters, Gap given) {
+  give_material(parameters);
+  give_pair(parameters);
+  give_gap(parameters, given);
   return parameters;
 }
 
 std::string why_invalid(const Parameters& p) {
+  if (!not_negative(p.K_over_m)) return refuse("K_over_m", p.K_over_m, "finite and >= 0");
+  if (!not_negative(p.D_n)) return refuse("D_n", p.D_n, "finite and >= 0");
+  if (!within(p.beta, 0.0, 4.0)) return refuse("beta", p.beta, "from 0 to 4");
+  if (!within(p.gamma, 0.0, 4.0)) return refuse("gamma", p.gamma, "from 0 to 4");
+  if (p.K_over_m > 0.0 && std::isnan(p.epsilon))
+    return fmt::format("K_over_m = {}, D_n = {} are not allowed: at {} m/s a pair is too damped to come apart again.",
+                       p.K_over_m, p.D_n, p.v0);
   if (!positive(p.v0)) return refuse("v0", p.v0, "a finite speed > 0 m/s");
   if (!positive(p.tc)) return refuse("tc", p.tc, "a finite time > 0 s");
   if (!not_negative(p.s0)) return refuse("s0", p.s0, "a finite length >= 0 m");
   if (!not_negative(p.sigma)) return refuse("sigma", p.sigma, "finite and >= 0 (sigma = s0/(v0 tc))");
   if (!positive(p.epsilon) || p.epsilon > 1.0) return refuse("epsilon", p.epsilon, "> 0 and <= 1");
   if (!positive(p.d)) return refuse("d", p.d, "a finite length > 0 m");
+  if (!within(p.width, 0.0, 1.9 * p.d)) return refuse("width", p.width, "from 0 to 1.9 d");
+  if (p.seed < 0) return fmt::format("seed = {} is not allowed: it must be >= 0.", p.seed);
   if (p.N < 1 || p.N > max_beads)
     return fmt::format("N = {} is not allowed: it must be a whole number from 1 to {}.", p.N, max_beads);
   if (!within(p.steps_per_tc, 2.0, 1e6)) return refuse("steps_per_tc", p.steps_per_tc, "from 2 to 1e6");

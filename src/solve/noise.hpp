@@ -2,20 +2,17 @@
 
 #include <cstdint>
 
+#include "sigmasweep/scene/random.hpp"
+
 namespace sigmasweep {
 
-/// Uniform numbers in (-1, 1), the same in every run: splitmix64 (Steele, Lea & Flood, OOPSLA 2014).
+/// Uniform numbers in (-1, 1), the same in every run.
 class Noise {
  public:
-  double next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>(static_cast<std::int64_t>(z ^ (z >> 31))) * 0x1p-63;
-  }
+  double next() { return static_cast<double>(static_cast<std::int64_t>(random_bits(0, drawn_++))) * 0x1p-63; }
 
  private:
-  std::uint64_t state_ = 0;
+  std::uint64_t drawn_ = 0;
 };
 
 }  // namespace sigmasweep

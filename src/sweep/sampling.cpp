@@ -5,27 +5,6 @@
 #include <boost/random/sobol.hpp>
 
 namespace sigmasweep {
-namespace {
-
-constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;
-
-constexpr std::uint64_t mix(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
-
-}  // namespace
-
-std::uint64_t random_bits(std::uint64_t key, std::uint64_t k) { return mix(key + (k + 1) * golden); }
-
-std::uint64_t stream_key(std::uint64_t seed, std::string_view name) {
-  std::uint64_t key = random_bits(seed, 0);
-  for (const char c : name) key = random_bits(key ^ static_cast<unsigned char>(c), 0);
-  return key;
-}
-
-double unit_interval(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
 std::uint64_t shuffled(std::uint64_t k, std::uint64_t count, std::uint64_t key) {
   if (count < 2) return 0;

@@ -115,6 +115,10 @@ TEST(Names, RoundTrip) {
   expect_names_round_trip<Method>();
   expect_names_round_trip<Wall>();
   expect_names_round_trip<Integrator>();
+  expect_names_round_trip<Law>();
+  expect_names_round_trip<Material>();
+  expect_names_round_trip<EdRule>();
+  expect_names_round_trip<Flag>();
   expect_names_round_trip<End>();
   expect_names_round_trip<Status>();
 }

@@ -15,28 +15,61 @@ enum class Wall : std::uint8_t { paper, matched };
 /// How soft spheres are moved: exactly between contact events, or by a scheme of fixed time step tc/steps_per_tc.
 enum class Integrator : std::uint8_t { exact, gear5, verlet, rk4 };
 
+/// The contact force F = K x^(1+beta) + D x^gamma x', x > 0 the overlap; Eqs. (2), (3), (8) and Sec. IV B.
+/// Exponents (beta, gamma): hooke (0, 0), hertz (1/2, 0), hertz_kuwabara_kono (1/2, 1/2), taguchi (1/2, 1/4), and
+/// power any.
+enum class Law : std::uint8_t { hooke, hertz, hertz_kuwabara_kono, taguchi, power };
+
+/// Beads of the paper's Sec. III; none: stiffness and damping are given by other parameters.
+enum class Material : std::uint8_t { none, steel, aluminium };
+
+/// What a collision of hard spheres loses: `lrv`, always the same; `tc`, nothing if one of the two beads collided less
+/// than tc ago (S. Luding & S. McNamara, Granular Matter 1, 113 (1998)).
+enum class EdRule : std::uint8_t { lrv, tc };
+
+/// A yes or no that users write as true or false.
+enum class Flag : std::uint8_t { no, yes };
+
 /// Everything that defines one collision of a column of N beads with a fixed wall. SI units. A plain value of
-/// fixed size: it is sent between ranks as it is. s0 and sigma = s0/(v0 tc) are kept together (see complete()).
+/// fixed size: it is sent between ranks as it is. Stiffness and damping are given by (tc, epsilon), by (K_over_m, D_n)
+/// or by the material; s0 and sigma = s0/(v0 tc) are kept together. complete() fills in the rest.
 struct Parameters {
   double v0 = 1.0;             ///< approach speed of the column, m/s
-  double tc = 1e-5;            ///< contact time of a pair, s; Eq. (6)
+  double tc = 1e-5;            ///< contact time of a pair at v0, s: Eq. (6); of laws that are not linear Eq. (A2)
   double s0 = 0.0;             ///< initial gap between neighbours and to the wall, m
   double sigma = 0.0;          ///< s0/(v0 tc), no unit
-  double epsilon = 0.9;        ///< restitution of a pair, 0 < epsilon <= 1; Eq. (7)
+  double epsilon = 0.9;        ///< restitution of a pair that meets at v0, 0 < epsilon <= 1; Eq. (7)
+  double K_over_m = 0.0;       ///< spring over reduced mass, 1/(s^2 m^beta); 0: from tc
+  double D_n = 0.0;            ///< dashpot over m_ij, twice the reduced mass, 1/(s m^gamma); only with K_over_m
+  double beta = 0.0;           ///< power law: exponent of the spring
+  double gamma = 0.0;          ///< power law: exponent of the dashpot
   double d = 1e-3;             ///< bead diameter, m; drops out of every result of the linear law without gravity
+  double width = 0.0;          ///< diameters are uniform in d +- width/2, m; masses go with their cubes
   double steps_per_tc = 100.0; ///< fixed-step integrators: time step tc/steps_per_tc
   double tolerance = 1e-10;    ///< exact: wanted absolute error of eps_eff
   std::int64_t N = 10;         ///< number of beads
+  std::int64_t seed = 0;       ///< of random diameters and separations
   Method method = Method::md;
   Wall wall = Wall::paper;
   Integrator integrator = Integrator::exact;
+  Law law = Law::hooke;
+  Material material = Material::none;
+  EdRule ed_rule = EdRule::lrv;
+  Flag random_separation = Flag::no;  ///< each bead shifted by up to +- s0/2 at the start, Sec. IV
 };
 
 /// Which of the two gap parameters was given; the other one follows from it.
 enum class Gap : std::uint8_t { s0, sigma };
 
-/// `parameters` with the missing one of s0 and sigma filled in from the `given` one.
+/// `parameters` with what follows from what is given: the material's d, K_over_m and D_n; with a K_over_m > 0 tc and
+/// epsilon at v0 (NaN where the pair is too damped to come apart); then the missing one of s0 and sigma.
 Parameters complete(Parameters parameters, Gap given);
+
+/// The steps of complete(), for those who remember what the first two gave: they take time, milliseconds for a material
+/// and 0.1 ms for a pair, with laws that are not linear.
+void give_material(Parameters& parameters);
+void give_pair(Parameters& parameters);
+void give_gap(Parameters& parameters, Gap given);
 
 /// Empty when `parameters` describe a collision; else one sentence naming the parameter, its value and what is allowed.
 std::string why_invalid(const Parameters& parameters);
