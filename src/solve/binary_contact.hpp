@@ -7,11 +7,12 @@
 namespace sigmasweep {
 
 /// A contact whose two partners (or bead and wall) touch nothing else: x'' + 2 mu x' + omega0^2 x = 0, Eq. (5), solved
-/// in closed form from any phase. `inertia` is 1/m_red over 1/m: 2 for a pair, 1 at the wall.
+/// in closed form from any phase. `inertia` is 1/m_red in the column's units: 2 for a pair of equal beads, 1 at the
+/// wall.
 template <class Real>
 class BinaryContact {
  public:
-  /// The law of a contact with spring K and dashpot C (both over the bead mass).
+  /// The law of a contact with spring K and dashpot C (both over the mean bead's mass).
   BinaryContact(Real K, Real C, Real inertia) : inertia_(inertia), mu_(inertia * C / 2), omega0_2_(inertia * K) {
     using std::exp, std::sqrt, std::atan2;
     const Real omega_2 = omega0_2_ - mu_ * mu_;
@@ -62,8 +63,8 @@ class BinaryContact {
     return after(atan2(omega_ * start.u, mu_ * start.u + omega0_2_ * start.x) / omega_)(start).x;
   }
 
-  /// What the contact force has done to a neighbouring gap when this contact went from `start` to `now` in time t:
-  /// int F dt and the double integral, both over the bead mass, as x'' = -inertia F.
+  /// The double integral of the contact force F and int F dt when this contact went from `start` to `now` in time t, as
+  /// x'' = -inertia F. A neighbouring gap changes by them, over the mass of the bead between.
   State push(const State& start, const State& now, const Real& t) const {
     return {(start.x + start.u * t - now.x) / inertia_, (start.u - now.u) / inertia_};
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "exact_column.hpp"
 #include "in_si.hpp"
@@ -12,7 +13,9 @@ namespace sigmasweep {
 
 template <class Real>
 Outcome<Real> exact_collision(const Column<Real>& column, const ExactOptions& options) {
-  return ExactColumn<Real, 0>(column, options).run();
+  if (!column.exponents.linear()) throw std::invalid_argument("exact_collision: not the linear law");
+  if (column.is_uniform()) return ExactColumn<Real, 0, false>(column, options).run();
+  return ExactColumn<Real, 0, true>(column, options).run();
 }
 template Outcome<double> exact_collision(const Column<double>&, const ExactOptions&);
 template Outcome<long double> exact_collision(const Column<long double>&, const ExactOptions&);
@@ -36,12 +39,12 @@ struct Effort {
 };
 
 /// The collision computed in `Real`, its error bar included.
-template <class Real>
-Collision computed_in(const Parameters& p, const ExactOptions& options, Effort& effort) {
-  ExactColumn<Real, 1> exact(reduced_column<Real>(p), options);
+template <class Real, bool Uneven>
+Collision computed_from(const Column<Real>& column, const Parameters& p, const ExactOptions& options, Effort& effort) {
+  ExactColumn<Real, 1, Uneven> exact(column, options);
   const Outcome<Real> outcome = exact.run();
   effort = {exact.work(), static_cast<double>(exact.disturbance())};
-  Collision c = in_si(outcome, p);
+  Collision c = in_si<Real>(outcome, p, column.mass);
   if (c.status != Status::ok) return c;
   const Real rounding = std::numeric_limits<Real>::epsilon();
   const double roundings = last_roundings + drift * double(exact.work()) / double(p.N);
@@ -50,13 +53,20 @@ Collision computed_in(const Parameters& p, const ExactOptions& options, Effort& 
   return c;
 }
 
+template <class Real>
+Collision computed_in(const Parameters& p, const ExactOptions& options, Effort& effort) {
+  const Column<Real> column = reduced_column<Real>(p);
+  if (column.is_uniform()) return computed_from<Real, false>(column, p, options, effort);
+  return computed_from<Real, true>(column, p, options, effort);
+}
+
 /// How many times finer than double's a type's roundings are.
 template <class Wide>
 double gain() {
   return std::numeric_limits<double>::epsilon() / static_cast<double>(std::numeric_limits<Wide>::epsilon());
 }
 
-/// The error bar from two twins of the column, whose dashpots and gaps differ from its own in the thirteenth digit. In a
+/// The error bar from two twins of the column, whose dashpots, gaps and masses differ from its own in the thirteenth digit. In a
 /// long tail of contacts that carry next to no energy a linearised disturbance grows without end, and says nothing; the
 /// twins go their own way there, too, but end where the energy lets them.
 double spread(const Parameters& p, const ExactOptions& options, double eps_eff) {
@@ -66,9 +76,11 @@ double spread(const Parameters& p, const ExactOptions& options, double eps_eff) 
     twin.gap *= 1.0 - change;
     twin.C *= 1.0 + change;
     twin.C_wall *= 1.0 + change;
+    for (double& gap : twin.gaps) gap *= 1.0 - change;
+    for (std::size_t i = 0; i < twin.mass.size(); ++i) twin.mass[i] *= 1.0 + (i % 2 == 0 ? change : -change);
     const Outcome<double> outcome = exact_collision(twin, options);
     if (outcome.status != Status::ok) return 1.0;
-    largest = std::max(largest, std::abs(energies<double>(outcome.velocity, 1.0).eps_eff - eps_eff));
+    largest = std::max(largest, std::abs(energies<double>(outcome.velocity, 1.0, twin.mass).eps_eff - eps_eff));
   }
   return safety * largest + options.settle;
 }

@@ -4,13 +4,12 @@
 
 namespace sigmasweep {
 
-template <class Real, int Disturbances>
-ExactColumn<Real, Disturbances>::ExactColumn(const Column<Real>& column, const ExactOptions& options)
+template <class Real, int Disturbances, bool Uneven>
+ExactColumn<Real, Disturbances, Uneven>::ExactColumn(const Column<Real>& column, const ExactOptions& options)
     : column_(column),
       options_(options),
       N_(std::size_t(column.N)),
-      wall_(column.K_wall, column.C_wall, inertia(0)),
-      pair_(column.K, column.C, inertia(1)),
+      laws_(column),
       steps_(column),
       x_(motion_[0].x),
       u_(motion_[0].u),
@@ -23,33 +22,44 @@ ExactColumn<Real, Disturbances>::ExactColumn(const Column<Real>& column, const E
     motion.x.assign(N_, Real(0));
     motion.u.assign(N_, Real(0));
   }
-  x_.assign(N_, -column.gap);
+  for (std::size_t k = 1; k < N_; ++k) x_[k] = -column.initial_gap(k);  // the wall's only shifts the clock
   u_[0] = column.speed;
-  // sigma is a rounded number too. (The wall's gap only shifts the clock.)
+  disturb_gaps();
+}
+
+/// The gaps are rounded numbers too: all of them the same way, as sigma is, or each for itself.
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::disturb_gaps() {
+  const auto& gaps = column_.gaps;
+  const Real widest = gaps.empty() ? column_.gap : *std::max_element(gaps.begin(), gaps.end());
   for (int m = 1; m < motions; ++m) {
-    const Real change = Real(noise_.next()) * std::numeric_limits<Real>::epsilon() * column.gap;
-    std::fill(motion_[m].x.begin() + 1, motion_[m].x.end(), change);
+    Real change = Real(noise_.next()) * std::numeric_limits<Real>::epsilon() * widest;
+    for (std::size_t k = 1; k < N_; ++k) {
+      motion_[m].x[k] = change;
+      if (!gaps.empty()) change = Real(noise_.next()) * std::numeric_limits<Real>::epsilon() * widest;
+    }
   }
 }
 
 /// The clock starts at the first contact with the wall, after a flight of gap/speed in which nothing else happens.
-template <class Real, int Disturbances>
-Outcome<Real> ExactColumn<Real, Disturbances>::run() {
+/// Beads that touch from the wall on are closed contacts. Others that touch are open ones with x = 0 and u = 0, and
+/// close as soon as something pushes.
+template <class Real, int Disturbances, bool Uneven>
+template <class Watcher>
+Outcome<Real> ExactColumn<Real, Disturbances, Uneven>::run(Watcher& watcher) {
   Outcome<Real> outcome;
-  if (column_.gap == Real(0)) {
-    closed_.assign(N_, 1);
-    closed_count_ = N_;
-  } else {
-    x_[0] = Real(0);
-    closed_[0] = 1;
-    closed_count_ = 1;
-  }
+  do closed_[closed_count_++] = 1;
+  while (closed_count_ < N_ && x_[closed_count_] == Real(0));
   regroup({0, N_ - 1}, Real(0));
 
   const std::uint64_t step_limit = 8 * options_.event_limit;
   for (std::uint64_t step = 0;; ++step) {
     const std::size_t next = events_.first();
     const Real t = events_.time_of(next);
+    if constexpr (Watcher::watches) {
+      watcher.until(t, [this](const Real& when, auto x, auto u) { state_at(when, x, u); });
+      if (watcher.done()) break;
+    }
     if (t == std::numeric_limits<Real>::infinity()) {
       outcome.end = End::separated;
       break;
@@ -62,7 +72,7 @@ Outcome<Real> ExactColumn<Real, Disturbances>::run() {
       finish_step(group_of_[next]);
     else
       close_gap(next, t);
-    if (settled()) {
+    if (settled(step)) {
       outcome.end = End::settled;
       break;
     }
@@ -74,8 +84,14 @@ Outcome<Real> ExactColumn<Real, Disturbances>::run() {
   return outcome;
 }
 
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::close_gap(std::size_t k, const Real& t) {
+template <class Real, int Disturbances, bool Uneven>
+Outcome<Real> ExactColumn<Real, Disturbances, Uneven>::run() {
+  Nobody nobody;
+  return run(nobody);
+}
+
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::close_gap(std::size_t k, const Real& t) {
   Range range = release(k, t);
   if (k > 0) range.lo = release(k - 1, t).lo;
   if (k + 1 < N_) range.hi = release(k + 1, t).hi;
@@ -83,8 +99,8 @@ void ExactColumn<Real, Disturbances>::close_gap(std::size_t k, const Real& t) {
   regroup(range, t);
 }
 
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::finish_step(int id) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::finish_step(int id) {
   Group& group = *groups_[std::size_t(id)];
   const Real t = group.start + group.length;
   move_group(group, group.length, true);
@@ -101,15 +117,15 @@ void ExactColumn<Real, Disturbances>::finish_step(int id) {
 
 /// An open contact closes or a closed one opens, at overlap exactly 0. A disturbed column does so earlier or later by
 /// -dx_k/u_k, and for so long feels, or lacks, the force C u_k: its rates jump by what that does.
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::change_contact(std::size_t k, const Real& t) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::change_contact(std::size_t k, const Real& t) {
   for (int m = 1; m < motions; ++m) {
     auto& u = motion_[m].u;
-    const Real handed_on = column_.dashpot(k) * motion_[m].x[k];
+    const Real handed_on = laws_.dashpot(k) * motion_[m].x[k];
     const Real impulse = closed_[k] ? Real(-handed_on) : handed_on;
-    u[k] -= inertia(k) * impulse;
-    if (k > 0) u[k - 1] += impulse;
-    if (k + 1 < N_) u[k + 1] += impulse;
+    u[k] -= laws_.inertia(k) * impulse;
+    if (k > 0) u[k - 1] += laws_.below(k) * impulse;
+    if (k + 1 < N_) u[k + 1] += laws_.above(k) * impulse;
   }
   x_[k] = Real(0);
   closed_[k] = !closed_[k];
@@ -123,8 +139,8 @@ void ExactColumn<Real, Disturbances>::change_contact(std::size_t k, const Real& 
 }
 
 /// Brings contact k up to time t and out of its group, if it is in one. Returns what has been released with it.
-template <class Real, int Disturbances>
-auto ExactColumn<Real, Disturbances>::release(std::size_t k, const Real& t) -> Range {
+template <class Real, int Disturbances, bool Uneven>
+auto ExactColumn<Real, Disturbances, Uneven>::release(std::size_t k, const Real& t) -> Range {
   if (const int id = group_of_[k]; id != none) {
     const Range range{groups_[std::size_t(id)]->lo, groups_[std::size_t(id)]->hi};
     dissolve(id, t);
@@ -141,16 +157,16 @@ auto ExactColumn<Real, Disturbances>::release(std::size_t k, const Real& t) -> R
 }
 
 /// x and u of the group's contacts at `elapsed` after the start of its step.
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::move_group(Group& group, const Real& elapsed, bool whole_step) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::move_group(Group& group, const Real& elapsed, bool whole_step) {
   if (group.binary)
     move_binary(group, elapsed, whole_step);
   else
     move_taylor(group, elapsed, whole_step);
 }
 
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::move_taylor(Group& group, const Real& elapsed, bool whole_step) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::move_taylor(Group& group, const Real& elapsed, bool whole_step) {
   const std::size_t n = group.hi - group.lo + 1;
   const Real s = whole_step ? group.scaled : Real(elapsed / group.longest);
   for (int m = 0; m < motions; ++m)
@@ -162,10 +178,10 @@ void ExactColumn<Real, Disturbances>::move_taylor(Group& group, const Real& elap
     if (closed_[group.lo + i]) x_max_ = group.taylor.deepest(i, s, x_max_);
 }
 
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::move_binary(Group& group, const Real& elapsed, bool whole_step) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::move_binary(Group& group, const Real& elapsed, bool whole_step) {
   const std::size_t k = group.contact;
-  const auto& contact = binary(k);
+  const auto& contact = laws_.binary(k);
   const State entry = state(k);
   if (const Real deepest = contact.deepest(entry); deepest > x_max_) x_max_ = deepest;
   const auto map = whole_step ? contact.until_end(entry) : contact.after(elapsed);
@@ -174,8 +190,9 @@ void ExactColumn<Real, Disturbances>::move_binary(Group& group, const Real& elap
     const State push = contact.push(before, now, elapsed);
     for (std::size_t gap = group.lo; gap <= group.hi; ++gap) {
       if (gap == k) continue;
-      motion.x[gap] += motion.u[gap] * elapsed + push.x;
-      motion.u[gap] += push.u;
+      const Real between = gap < k ? laws_.below(k) : laws_.above(k);
+      motion.x[gap] += motion.u[gap] * elapsed + between * push.x;
+      motion.u[gap] += between * push.u;
     }
     motion.x[k] = now.x;
     motion.u[k] = now.u;
@@ -184,8 +201,8 @@ void ExactColumn<Real, Disturbances>::move_binary(Group& group, const Real& elap
 }
 
 /// A rounding error of the state of contact i, whose parts are of the given magnitude.
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::disturb(std::size_t i, const State& magnitude) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::disturb(std::size_t i, const State& magnitude) {
   const Real rounding = std::numeric_limits<Real>::epsilon();
   for (int m = 1; m < motions; ++m) {
     motion_[m].x[i] += Real(noise_.next()) * rounding * magnitude.x;
@@ -194,8 +211,8 @@ void ExactColumn<Real, Disturbances>::disturb(std::size_t i, const State& magnit
 }
 
 /// Ends a group; if its step is not over yet, at a time t within it.
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::dissolve(int id, const Real& t) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::dissolve(int id, const Real& t) {
   Group& group = *groups_[std::size_t(id)];
   if (group.start != t) move_group(group, std::min(std::max(Real(t - group.start), Real(0)), group.length), false);
   for (std::size_t k = group.lo; k <= group.hi; ++k) {
@@ -208,8 +225,8 @@ void ExactColumn<Real, Disturbances>::dissolve(int id, const Real& t) {
 
 /// Sorts the contacts of `range`, all of them free of groups and at time t, into groups and free gaps, taking in
 /// neighbours that a closed contact at the border touches.
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::regroup(Range range, const Real& t) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::regroup(Range range, const Real& t) {
   while (closed_[range.lo] && range.lo > 0) range.lo = release(range.lo - 1, t).lo;
   while (closed_[range.hi] && range.hi + 1 < N_) range.hi = release(range.hi + 1, t).hi;
   for (std::size_t k = range.lo; k <= range.hi; ++k) {
@@ -224,8 +241,8 @@ void ExactColumn<Real, Disturbances>::regroup(Range range, const Real& t) {
   }
 }
 
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::make_group(Range range, const Real& t) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::make_group(Range range, const Real& t) {
   if (idle_.empty()) {
     idle_.push_back(int(groups_.size()));
     groups_.push_back(std::make_unique<Group>());
@@ -244,8 +261,8 @@ void ExactColumn<Real, Disturbances>::make_group(Range range, const Real& t) {
   begin_step(id);
 }
 
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::begin_step(int id) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::begin_step(int id) {
   Group& group = *groups_[std::size_t(id)];
   for (std::size_t k = group.lo; k <= group.hi; ++k) {
     // Rounding may leave a contact on the wrong side of 0.
@@ -258,21 +275,22 @@ void ExactColumn<Real, Disturbances>::begin_step(int id) {
 
 /// A lone closed contact that nothing can disturb before it opens is followed to its end in one closed formula. As
 /// x >= 0, each neighbouring gap stays below x_gap + u_gap t + push_bound(t), which is linear in t.
-template <class Real, int Disturbances>
-bool ExactColumn<Real, Disturbances>::begin_binary(Group& group) {
+template <class Real, int Disturbances, bool Uneven>
+bool ExactColumn<Real, Disturbances, Uneven>::begin_binary(Group& group) {
   if (group.hi - group.lo > 2) return false;
   std::size_t k = group.lo;
   while (!closed_[k]) ++k;
   if (group.lo + 1 < k || k + 1 < group.hi) return false;
-  const auto& contact = binary(k);
+  const auto& contact = laws_.binary(k);
   const State entry = state(k);
   if (!contact.oscillates() || (entry.x == Real(0) && !(entry.u > 0))) return false;
   const Real duration = contact.time_left(entry);
   for (std::size_t gap = group.lo; gap <= group.hi; ++gap) {
     if (gap == k) continue;
     if (closed_[gap]) return false;
-    const Real at_start = x_[gap] + contact.push_bound(entry, Real(0));
-    const Real at_end = x_[gap] + u_[gap] * duration + contact.push_bound(entry, duration);
+    const Real between = gap < k ? laws_.below(k) : laws_.above(k);
+    const Real at_start = x_[gap] + between * contact.push_bound(entry, Real(0));
+    const Real at_end = x_[gap] + u_[gap] * duration + between * contact.push_bound(entry, duration);
     if (at_start > 0 || !(at_end < 0)) return false;
   }
   group.length = duration;
@@ -281,17 +299,20 @@ bool ExactColumn<Real, Disturbances>::begin_binary(Group& group) {
   return true;
 }
 
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::begin_taylor(Group& group) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::begin_taylor(Group& group) {
   const std::size_t n = group.hi - group.lo + 1;
   auto& taylor = group.taylor;
   if (!group.prepared) {
     taylor.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t k = group.lo + i;
-      taylor.set_law(i, closed_[k], column_.spring(k), column_.dashpot(k), inertia(k));
+      if constexpr (Uneven)
+        taylor.set_law(i, closed_[k], column_.spring(k), laws_.dashpot(k), laws_.below(k), laws_.above(k));
+      else
+        taylor.set_law(i, closed_[k], column_.spring(k), laws_.dashpot(k), laws_.inertia(k));
     }
-    group.longest = longest_step(group);
+    group.longest = steps_.longest(group.lo, group.hi, closed_);
     group.prepared = true;
   }
   work_ += n;
@@ -306,37 +327,27 @@ void ExactColumn<Real, Disturbances>::begin_taylor(Group& group) {
   if (crossing) group.contact = group.lo + crossing->contact;
 }
 
-/// The shortest of what the group's chains of closed contacts allow.
-template <class Real, int Disturbances>
-Real ExactColumn<Real, Disturbances>::longest_step(const Group& group) const {
-  Real h = steps_.unconnected();
-  for (std::size_t k = group.lo; k <= group.hi; ++k) {
-    const std::size_t first = k;
-    while (k <= group.hi && closed_[k]) ++k;
-    if (k > first) h = std::min(h, first == 0 ? steps_.at_wall(k - first) : steps_.free(k - first));
-  }
-  return h;
-}
-
-template <class Real, int Disturbances>
-void ExactColumn<Real, Disturbances>::schedule_gap(std::size_t k) {
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::schedule_gap(std::size_t k) {
   if (u_[k] > 0)
     events_.set(k, at_[k] + std::max(Real(-x_[k]), Real(0)) / u_[k]);
   else
     events_.remove(k);
 }
 
-template <class Real, int Disturbances>
-bool ExactColumn<Real, Disturbances>::settled() {
-  if (contacts_ < checked_at_ + std::max<std::size_t>(5, N_ / 8)) return false;
+/// Looked at now and then: after some contacts, or after many steps in which overdamped contacts creep.
+template <class Real, int Disturbances, bool Uneven>
+bool ExactColumn<Real, Disturbances, Uneven>::settled(std::uint64_t step) {
+  if (contacts_ < checked_at_ + std::max<std::size_t>(5, N_ / 8) && step < checked_step_ + 1000) return false;
   checked_at_ = contacts_;
+  checked_step_ = step;
   const Balance now = balance();
   if (Disturbances > 0 && (balances_.empty() || now.remaining < balances_.back().remaining)) balances_.push_back(now);
   return now.remaining < Real(options_.settle);
 }
 
-template <class Real, int Disturbances>
-auto ExactColumn<Real, Disturbances>::balance() const -> Balance {
+template <class Real, int Disturbances, bool Uneven>
+auto ExactColumn<Real, Disturbances, Uneven>::balance() const -> Balance {
   const EnergyBalance<Real> energy(column_, closed_, x_, velocities(0));
   Balance now{Real(0), energy.remaining()};
   for (int m = 1; m < motions; ++m)
@@ -346,8 +357,8 @@ auto ExactColumn<Real, Disturbances>::balance() const -> Balance {
 
 /// At any moment sqrt(E/E_0) is off by its disturbance, and from there both the true and the computed one fall by no
 /// more than what remains: small disturbances late in a collision may grow large, but have little left to act on.
-template <class Real, int Disturbances>
-Real ExactColumn<Real, Disturbances>::error(double safety) const {
+template <class Real, int Disturbances, bool Uneven>
+Real ExactColumn<Real, Disturbances, Uneven>::error(double safety) const {
   const Balance end = balance();
   Real least = Real(safety) * end.disturbance + end.remaining;
   for (const Balance& b : balances_) least = std::min(least, Real(Real(safety) * b.disturbance + b.remaining));
@@ -355,19 +366,24 @@ Real ExactColumn<Real, Disturbances>::error(double safety) const {
 }
 
 /// v_i from the rates: u_0 = -v_1 at the wall, u_k = v_{k-1} - v_k between beads.
-template <class Real, int Disturbances>
-std::vector<Real> ExactColumn<Real, Disturbances>::velocities(int motion) const {
+template <class Real, int Disturbances, bool Uneven>
+std::vector<Real> ExactColumn<Real, Disturbances, Uneven>::velocities(int motion) const {
   std::vector<Real> v(N_);
   Real sum = 0;
   for (std::size_t k = 0; k < N_; ++k) v[k] = sum -= motion_[std::size_t(motion)].u[k];
   return v;
 }
 
-template class ExactColumn<double, 0>;
-template class ExactColumn<double, 1>;
-template class ExactColumn<long double, 0>;
-template class ExactColumn<long double, 1>;
-template class ExactColumn<Quad, 0>;
-template class ExactColumn<Quad, 1>;
+#define SIGMASWEEP_INSTANTIATE(Real)          \
+  template class ExactColumn<Real, 0, false>; \
+  template class ExactColumn<Real, 1, false>; \
+  template class ExactColumn<Real, 0, true>;  \
+  template class ExactColumn<Real, 1, true>;
+SIGMASWEEP_INSTANTIATE(double)
+SIGMASWEEP_INSTANTIATE(long double)
+SIGMASWEEP_INSTANTIATE(Quad)
+#undef SIGMASWEEP_INSTANTIATE
+template Outcome<double> ExactColumn<double, 0, false>::run(Samples&);
+template Outcome<double> ExactColumn<double, 0, true>::run(Samples&);
 
 }  // namespace sigmasweep

@@ -5,9 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "binary_contact.hpp"
+#include "contact_laws.hpp"
 #include "energy_balance.hpp"
 #include "noise.hpp"
+#include "samples.hpp"
 #include "sigmasweep/solve/column.hpp"
 #include "sigmasweep/solve/exact.hpp"
 #include "step_lengths.hpp"
@@ -25,11 +26,16 @@ namespace sigmasweep {
 /// Beside the column's own motion run `Disturbances` linearised ones: what rounding puts into the state, drawn at random
 /// step by step and carried along by the same linear maps and by the jumps at the events. They measure how much of the
 /// rounding error survives to the end.
-template <class Real, int Disturbances>
+///
+/// Uneven: the beads have masses of their own (column.mass). Gaps that differ need no such feature.
+template <class Real, int Disturbances, bool Uneven>
 class ExactColumn {
  public:
   ExactColumn(const Column<Real>& column, const ExactOptions& options);
   Outcome<Real> run();
+  /// The same, seen by a watcher (samples.hpp), and over with its last sample. Samples: double without disturbances.
+  template <class Watcher>
+  Outcome<Real> run(Watcher& watcher);
   /// After run(): a bound of the error of eps_eff, `safety` times the disturbances' size.
   Real error(double safety) const;
   /// After run(): the largest change of eps_eff by a disturbance.
@@ -41,7 +47,7 @@ class ExactColumn {
   static constexpr int none = -1;
   static constexpr int motions = 1 + Disturbances;
   using State = ContactState<Real>;
-  using Taylor = TaylorGroup<Real, motions>;
+  using Taylor = TaylorGroup<Real, motions, Uneven>;
 
   /// Overlaps and rates of all contacts: [0] the column's own, then the disturbances'.
   struct Motion {
@@ -69,10 +75,9 @@ class ExactColumn {
     Real remaining{};    ///< at most this can sqrt(E/E_0) still fall
   };
 
-  static Real inertia(std::size_t k) { return k == 0 ? Real(1) : Real(2); }
-  const BinaryContact<Real>& binary(std::size_t k) const { return k == 0 ? wall_ : pair_; }
   State state(std::size_t k) const { return {x_[k], u_[k]}; }
 
+  void disturb_gaps();
   void close_gap(std::size_t k, const Real& t);
   void finish_step(int id);
   void change_contact(std::size_t k, const Real& t);
@@ -88,16 +93,16 @@ class ExactColumn {
   bool begin_binary(Group& group);
   void begin_taylor(Group& group);
   void schedule_gap(std::size_t k);
-  Real longest_step(const Group& group) const;
   Balance balance() const;
-  bool settled();
+  bool settled(std::uint64_t step);
   std::vector<Real> velocities(int motion) const;
+  void state_at(const Real& t, std::span<Real> x, std::span<Real> u) const;
 
   Column<Real> column_;
   ExactOptions options_;
   std::size_t N_;
-  BinaryContact<Real> wall_, pair_;
-  StepLengths<Real> steps_;
+  ContactLaws<Real, Uneven> laws_;
+  StepLengths<Real, Uneven> steps_;
   std::array<Motion, motions> motion_;
   std::vector<Real>&x_, &u_;            ///< of the column's own motion
   std::vector<Real> at_;                ///< free gaps: the time their state is of
@@ -108,7 +113,7 @@ class ExactColumn {
   Tournament<Real> events_;
   Noise noise_;
   std::size_t closed_count_ = 0;
-  std::uint64_t contacts_ = 0, checked_at_ = 0, work_ = 0;
+  std::uint64_t contacts_ = 0, checked_at_ = 0, checked_step_ = 0, work_ = 0;
   Real wall_opened_{}, x_max_{};
   std::vector<Balance> balances_;       ///< those that could give the smallest error
 };

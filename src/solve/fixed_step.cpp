@@ -9,29 +9,17 @@
 #include <immintrin.h>
 #endif
 
+#include "energy_balance.hpp"
 #include "fixed_step_chain.hpp"
+#include "fixed_step_force.hpp"
 #include "fixed_step_gear5.hpp"
 #include "fixed_step_rk4.hpp"
 #include "fixed_step_verlet.hpp"
 #include "in_si.hpp"
-#include "sigmasweep/solve/exact.hpp"
+#include "samples.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 
 namespace sigmasweep {
-
-Chain::Chain(const Column<double>& column, double dt)
-    : contacts(static_cast<std::size_t>(column.N)),
-      blocks(Lanes::padded(contacts) / Lanes::width),
-      K(contacts), C(contacts), g(contacts),
-      x(contacts, -std::numeric_limits<double>::max()),
-      u(contacts) {
-  for (std::size_t k = 0; k < contacts; ++k) {
-    K[k] = (k == 0 ? column.K_wall : column.K) * dt * dt;
-    C[k] = (k == 0 ? column.C_wall : column.C) * dt;
-    g[k] = k == 0 ? 1.0 : 2.0;
-    x[k] = -column.gap;
-  }
-  u[0] = column.speed * dt;
-}
 
 namespace {
 
@@ -48,13 +36,14 @@ class DenormalsAreZero {
 #endif
 };
 
-/// Steps a scheme from the start to the end of a collision and keeps the record.
-template <class Scheme>
+/// Steps a scheme from the start to the end of a collision and keeps the record. Watcher: Nobody or Samples, with whose
+/// last sample it may end.
+template <class Chain, template <class> class Scheme, class Watcher>
 class Run {
  public:
-  Run(const Column<double>& column, double dt, const FixedStepOptions& options)
+  Run(const Column<double>& column, double dt, const FixedStepOptions& options, Watcher& watcher)
       : column_(column), options_(options), dt_(dt), chain_(column, dt), scheme_(chain_), before_(chain_.x),
-        deepest_(chain_.contacts) {
+        deepest_(chain_.contacts), watcher_(watcher) {
     if (options_.step_limit == 0.0) options_.step_limit = 1e11 / static_cast<double>(column.N);
     lowest_energy_ = start_energy_ = energy();
   }
@@ -65,17 +54,24 @@ class Run {
       if (outcome_.end != End::none) break;
       advance();
       if (++steps_ % 16 == 0) check_energy();
+      if (steps_ % 65536 == 0) check_creep();
       if (static_cast<double>(steps_) > options_.step_limit && outcome_.status == Status::ok)
         outcome_.status = Status::event_limit;
+      if constexpr (Watcher::watches)
+        if (watcher_.done()) break;
     }
+    if constexpr (Watcher::watches)
+      if (outcome_.end != End::none) show_free_flight();
     if (outcome_.status == Status::ok) check_energy();
     return result();
   }
 
  private:
   void advance() {
+    remember_rates();
     scheme_.step();
     now_ += 1.0;
+    show(1.0);
     const double* x = scheme_.x();
     double* before = before_.data();
     double* deepest = deepest_.data();
@@ -112,18 +108,49 @@ class Run {
       return;
     }
     if (steps < 2.0) return;
-    if (residual_dissipation<double>(velocities(), chain_.u[0]) < options_.settle) {
+    if (residual_dissipation<double>(velocities(), chain_.u[0], column_.mass) < options_.settle) {
       outcome_.end = End::settled;
       return;
     }
     if (!options_.skip_free_flight) return;
     steps = std::floor(steps) - 1.0;
+    remember_rates();
     scheme_.coast(steps);
     now_ += steps;
+    show(steps);
     // Only where a gap is so wide that its rounding exceeds a step.
     for (std::size_t k = 0; k < chain_.contacts; ++k)
       if (scheme_.x()[k] > 0.0) scheme_.touch(k);
     before_copy();
+  }
+
+  void remember_rates() {
+    if constexpr (Watcher::watches) rates_before_.assign(scheme_.u(), scheme_.u() + chain_.contacts);
+  }
+
+  /// Shows the watcher the steps just done: Hermite's cubic through overlaps and rates at both ends, and for the rates
+  /// themselves, which have a kink where a contact opens or closes, the straight line.
+  void show(double steps) {
+    if constexpr (Watcher::watches)
+      watcher_.until(now_ * dt_, [&](double t, auto x, auto u) {
+        const double s = 1.0 - (now_ - t / dt_) / steps, r = 1.0 - s;
+        for (std::size_t k = 0; k < chain_.contacts; ++k) {
+          const double u0 = rates_before_[k], u1 = scheme_.u()[k];
+          x[k] = r * r * ((1.0 + 2.0 * s) * before_[k] + s * steps * u0) +
+                 s * s * ((1.0 + 2.0 * r) * scheme_.x()[k] - r * steps * u1);
+          u[k] = (r * u0 + s * u1) / dt_;
+        }
+      });
+  }
+
+  /// What is left of the samples when it is over.
+  void show_free_flight() {
+    watcher_.until(std::numeric_limits<double>::infinity(), [&](double t, auto x, auto u) {
+      for (std::size_t k = 0; k < chain_.contacts; ++k) {
+        x[k] = scheme_.x()[k] + scheme_.u()[k] * (t / dt_ - now_);
+        u[k] = scheme_.u()[k] / dt_;
+      }
+    });
   }
 
   void before_copy() { std::copy_n(scheme_.x(), chain_.contacts, before_.data()); }
@@ -141,8 +168,8 @@ class Run {
     for (std::size_t k = 0; k < chain_.contacts; ++k) {
       const double x = scheme_.x()[k];
       v += scheme_.u()[k];
-      E += v * v;
-      if (x > 0.0) E += chain_.K[k] * x * x;
+      E += column_.mass.empty() ? v * v : column_.mass[k] * v * v;
+      if (x > 0.0) E += chain_.force.elastic(chain_.K[k], x);
     }
     return 0.5 * E;
   }
@@ -153,6 +180,16 @@ class Run {
     const double E = energy();
     if (!(E <= lowest_energy_ + 0.05 * start_energy_)) outcome_.status = Status::unstable;
     lowest_energy_ = std::min(lowest_energy_, E);
+  }
+
+  /// Overdamped beads that creep, and stick together for good, end by how little they have left to lose.
+  void check_creep() {
+    std::vector<std::uint8_t> closed(chain_.contacts);
+    for (std::size_t k = 0; k < chain_.contacts; ++k) closed[k] = scheme_.x()[k] > 0.0;
+    std::vector<double> v = velocities();
+    for (double& each : v) each /= dt_;
+    const EnergyBalance<double> energy(column_, closed, {scheme_.x(), chain_.contacts}, std::move(v));
+    if (energy.remaining() < options_.settle) outcome_.end = End::settled;
   }
 
   Outcome<double> result() {
@@ -167,8 +204,10 @@ class Run {
   FixedStepOptions options_;
   double dt_;
   Chain chain_;
-  Scheme scheme_;
+  Scheme<Chain> scheme_;
   Lanes before_, deepest_;
+  Watcher& watcher_;
+  std::vector<double> rates_before_;  ///< for the watcher
   double now_ = 0.0;  ///< time in steps, crossed ones included
   double first_wall_ = -1.0, last_wall_ = 0.0;
   double start_energy_ = 0.0, lowest_energy_ = 0.0;
@@ -177,18 +216,46 @@ class Run {
   Outcome<double> outcome_;
 };
 
+template <class Chain, class Watcher>
+Outcome<double> run(Watcher& watcher, const Column<double>& column, Integrator integrator, double dt,
+                    const FixedStepOptions& options) {
+  const DenormalsAreZero guard;
+  switch (integrator) {
+    case Integrator::gear5: return Run<Chain, Gear5, Watcher>(column, dt, options, watcher)();
+    case Integrator::verlet: return Run<Chain, Verlet, Watcher>(column, dt, options, watcher)();
+    case Integrator::rk4: return Run<Chain, RungeKutta4, Watcher>(column, dt, options, watcher)();
+    case Integrator::exact: break;
+  }
+  throw std::invalid_argument("fixed_step_collision: not an integrator of fixed step");
+}
+
+/// Beads of equal mass have a kernel of their own with the linear law; with the others they are no special case.
+template <class Watcher>
+Outcome<double> watched_by(Watcher& watcher, const Column<double>& column, Integrator integrator, double dt,
+                           const FixedStepOptions& options) {
+  using namespace fixed_step;
+  const auto [beta, gamma] = column.exponents;
+  const auto with = [&]<class Force, bool Uneven>() {
+    return run<Chain<Force, Uneven>>(watcher, column, integrator, dt, options);
+  };
+  if (column.exponents.linear() && column.is_uniform()) return with.template operator()<LinearForce, false>();
+  if (column.exponents.linear()) return with.template operator()<LinearForce, true>();
+  if (beta == 0.5 && gamma == 0.0) return with.template operator()<HertzForce<0>, true>();
+  if (beta == 0.5 && gamma == 0.25) return with.template operator()<HertzForce<1>, true>();
+  if (beta == 0.5 && gamma == 0.5) return with.template operator()<HertzForce<2>, true>();
+  return with.template operator()<PowerForce, true>();
+}
+
 }  // namespace
 
 Outcome<double> fixed_step_collision(const Column<double>& column, Integrator integrator, double dt,
                                      const FixedStepOptions& options) {
-  const DenormalsAreZero guard;
-  switch (integrator) {
-    case Integrator::gear5: return Run<Gear5>(column, dt, options)();
-    case Integrator::verlet: return Run<Verlet>(column, dt, options)();
-    case Integrator::rk4: return Run<RungeKutta4>(column, dt, options)();
-    case Integrator::exact: break;
-  }
-  throw std::invalid_argument("fixed_step_collision: not an integrator of fixed step");
+  Nobody nobody;
+  return watched_by(nobody, column, integrator, dt, options);
+}
+
+void watch_fixed_step(const Column<double>& column, Integrator integrator, double dt, Samples& samples) {
+  watched_by(samples, column, integrator, dt, {.settle = 0.0});  // to the last sample
 }
 
 Collision simulate_fixed_step(const Parameters& parameters) {
@@ -196,9 +263,11 @@ Collision simulate_fixed_step(const Parameters& parameters) {
   const double settle = 1e-3 * parameters.tolerance;
   const Outcome<double> outcome =
       fixed_step_collision(column, parameters.integrator, 1.0 / parameters.steps_per_tc, {.settle = settle});
-  Collision collision = in_si(outcome, parameters);
+  Collision collision = in_si<double>(outcome, parameters, column.mass);
   if (!is_success(collision.status)) return collision;
-  const Collision exact = simulate_exact(parameters);
+  Parameters reference = parameters;
+  reference.integrator = Integrator::exact;
+  const Collision exact = simulate(reference);
   // Both lie between 0 and 1 where nothing better is known.
   const double worst = std::max(collision.eps_eff, std::fabs(1.0 - collision.eps_eff));
   const double error = std::fabs(collision.eps_eff - exact.eps_eff) + exact.eps_eff_error;

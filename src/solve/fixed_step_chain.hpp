@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <new>
 #include <vector>
 
@@ -24,28 +25,74 @@ class Lanes {
   std::vector<double> data_;
 };
 
-/// The column's equation of motion for its overlaps x_k, k = 0 (the wall) to N-1, with u_k = x_k':
-///     x_k'' = F_(k-1) - g_k F_k + F_(k+1),  F_k = K_k x_k + C_k u_k where x_k > 0, else 0,  g_0 = 1, g_k = 2,
-/// Eq. (2) for neighbours subtracted from one another. Time is counted in steps here, so there is no dt in a scheme.
-/// The lanes beyond N have an overlap that no motion brings above 0, and so never a force.
-struct Chain {
-  Chain(const Column<double>& column, double dt);
+/// How forces accelerate overlaps: Eq. (2) for neighbours subtracted from one another. Beads of equal mass 1:
+///     x_k'' = F_(k-1) - g_k F_k + F_(k+1),  g_0 = 1, g_k = 2.
+template <bool Uneven>
+struct ChainCoupling {
+  explicit ChainCoupling(const Column<double>& column) : g(column.contacts()) {
+    for (std::size_t k = 0; k < column.contacts(); ++k) g[k] = k == 0 ? 1.0 : 2.0;
+  }
+  struct View {
+    const double* g;
+    double acceleration(const double* F, std::size_t k) const {
+      return F[static_cast<std::ptrdiff_t>(k) - 1] - g[k] * F[k] + F[k + 1];
+    }
+  };
+  View view() const { return {g.data()}; }
+  Lanes g;
+};
+/// Beads of masses m_k, bead k-1 below contact k and bead k above it (1/m = 0 for the wall):
+///     x_k'' = (F_(k-1) - F_k)/m_(k-1) + (F_(k+1) - F_k)/m_k.
+template <>
+struct ChainCoupling<true> {
+  explicit ChainCoupling(const Column<double>& column) : below(column.contacts()), above(column.contacts()) {
+    for (std::size_t k = 0; k < column.contacts(); ++k) {
+      if (k > 0) below[k] = column.inverse_mass(k - 1);
+      above[k] = column.inverse_mass(k);
+    }
+  }
+  struct View {
+    const double *below, *above;
+    double acceleration(const double* F, std::size_t k) const {
+      return below[k] * (F[static_cast<std::ptrdiff_t>(k) - 1] - F[k]) + above[k] * (F[k + 1] - F[k]);
+    }
+  };
+  View view() const { return {below.data(), above.data()}; }
+  Lanes below, above;
+};
 
-  /// F for the given overlaps and rates. The loops over contacts vectorise: a contact's being closed is a mask.
+/// The column's equation of motion for its overlaps x_k, k = 0 (the wall) to N-1, with u_k = x_k', coupled as above by
+/// the forces F_k of a law `Force`. Time is counted in steps here, so there is no dt in a scheme.
+/// The lanes beyond N have an overlap that no motion brings above 0, and so never a force.
+template <class Force, bool Uneven>
+struct Chain {
+  Chain(const Column<double>& column, double dt)
+      : contacts(column.contacts()), blocks(Lanes::padded(contacts) / Lanes::width),
+        force(column.exponents), coupling(column), K(contacts), C(contacts),
+        x(contacts, -std::numeric_limits<double>::max()), u(contacts) {
+    for (std::size_t k = 0; k < contacts; ++k) {
+      K[k] = column.spring(k) * dt * dt;
+      C[k] = column.dashpot(k) * dt;
+      x[k] = -column.initial_gap(k);
+    }
+    u[0] = column.speed * dt;
+  }
+
+  /// F for the given overlaps and rates.
   void forces(const double* overlap, const double* rate, double* F) const {
     const double* spring = K.data();
     const double* dashpot = C.data();
+    const Force law = force;
 #pragma GCC ivdep
     for (std::size_t k = 0, n = lanes(); k < n; ++k)
-      F[k] = overlap[k] > 0.0 ? spring[k] * overlap[k] + dashpot[k] * rate[k] : 0.0;
-  }
-  static double acceleration(const double* F, const double* inertia, std::size_t k) {
-    return F[static_cast<std::ptrdiff_t>(k) - 1] - inertia[k] * F[k] + F[k + 1];
+      F[k] = law(spring[k], dashpot[k], overlap[k], rate[k]);
   }
 
   std::size_t contacts, blocks;
   std::size_t lanes() const { return blocks * Lanes::width; }  // whole vectors, and the compiler sees it
-  Lanes K, C, g;
+  Force force;
+  ChainCoupling<Uneven> coupling;
+  Lanes K, C;
   Lanes x, u;  ///< at the start
 };
 

@@ -14,6 +14,7 @@ namespace sigmasweep {
 ///     evaluate  D = a(p_0, p_1)/2 - p_2
 ///     correct   r_n = p_n + c_n D,   c = 3/16, 251/360, 1, 11/18, 1/6, 1/60
 /// one evaluation a step (PEC). Strong damping makes it unstable: stable for about 2 zeta omega dt < 0.16.
+template <class Chain>
 class Gear5 {
  public:
   explicit Gear5(const Chain& chain)
@@ -33,9 +34,10 @@ class Gear5 {
     double* r4 = r_[4].data();
     double* r5 = r_[5].data();
     double* F = F_.data();
+    const auto force = chain_.force;
     const double* K = chain_.K.data();
     const double* C = chain_.C.data();
-    const double* g = chain_.g.data();
+    const auto coupling = chain_.coupling.view();
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {  // Pascal's triangle
       const double a3 = r3[k], a4 = r4[k], a5 = r5[k];
@@ -44,11 +46,11 @@ class Gear5 {
       r2[k] += 3.0 * a3 + 6.0 * a4 + 10.0 * a5;
       r3[k] += 4.0 * a4 + 10.0 * a5;
       r4[k] += 5.0 * a5;
-      F[k] = r0[k] > 0.0 ? K[k] * r0[k] + C[k] * r1[k] : 0.0;
+      F[k] = force(K[k], C[k], r0[k], r1[k]);
     }
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
-      const double D = 0.5 * Chain::acceleration(F, g, k) - r2[k];
+      const double D = 0.5 * coupling.acceleration(F, k) - r2[k];
       r0[k] += 3.0 / 16.0 * D;
       r1[k] += 251.0 / 360.0 * D;
       r2[k] += D;

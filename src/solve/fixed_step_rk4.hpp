@@ -8,6 +8,7 @@ namespace sigmasweep {
 /// (x, u)' = (u, a(x, u)), with the stages of x written out:
 ///     a1 = a(x, u),  a2 = a(x + u/2, u + a1/2),  a3 = a(x + u/2 + a1/4, u + a2/2),  a4 = a(x + u + a2/2, u + a3),
 ///     x += u + (a1 + a2 + a3)/6,   u += (a1 + 2 a2 + 2 a3 + a4)/6.
+template <class Chain>
 class RungeKutta4 {
  public:
   explicit RungeKutta4(const Chain& chain)
@@ -27,32 +28,32 @@ class RungeKutta4 {
     double* a1 = a_[0].data();
     double* a2 = a_[1].data();
     double* a3 = a_[2].data();
-    const double* g = chain_.g.data();
+    const auto coupling = chain_.coupling.view();
     chain_.forces(x, u, F);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
-      a1[k] = Chain::acceleration(F, g, k);
+      a1[k] = coupling.acceleration(F, k);
       xs[k] = x[k] + 0.5 * u[k];
       us[k] = u[k] + 0.5 * a1[k];
     }
     chain_.forces(xs, us, F);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
-      a2[k] = Chain::acceleration(F, g, k);
+      a2[k] = coupling.acceleration(F, k);
       xs[k] = x[k] + 0.5 * u[k] + 0.25 * a1[k];
       us[k] = u[k] + 0.5 * a2[k];
     }
     chain_.forces(xs, us, F);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
-      a3[k] = Chain::acceleration(F, g, k);
+      a3[k] = coupling.acceleration(F, k);
       xs[k] = x[k] + u[k] + 0.5 * a2[k];
       us[k] = u[k] + a3[k];
     }
     chain_.forces(xs, us, F);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
-      const double a4 = Chain::acceleration(F, g, k);
+      const double a4 = coupling.acceleration(F, k);
       x[k] += u[k] + (a1[k] + a2[k] + a3[k]) / 6.0;
       u[k] += (a1[k] + 2.0 * (a2[k] + a3[k]) + a4) / 6.0;
     }

@@ -8,6 +8,7 @@ namespace sigmasweep {
 /// need predicted over the whole step, which keeps the second order where the force is smooth:
 ///     x += u + a/2,   a_new = a(x, u + a),   u += (a + a_new)/2.
 /// Without damping it is symplectic.
+template <class Chain>
 class Verlet {
  public:
   explicit Verlet(const Chain& chain)
@@ -23,7 +24,7 @@ class Verlet {
     double* a = a_.data();
     double* predicted = predicted_.data();
     double* F = F_.data();
-    const double* g = chain_.g.data();
+    const auto coupling = chain_.coupling.view();
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
       x[k] += u[k] + 0.5 * a[k];
@@ -32,7 +33,7 @@ class Verlet {
     chain_.forces(x, predicted, F);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
-      const double a_new = Chain::acceleration(F, g, k);
+      const double a_new = coupling.acceleration(F, k);
       u[k] += 0.5 * (a[k] + a_new);
       a[k] = a_new;
     }

@@ -8,24 +8,30 @@
 namespace sigmasweep {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double mass_of(std::span<const double> mass, std::size_t bead) { return mass.empty() ? 1.0 : mass[bead]; }
+
 struct Block {
   std::size_t first, beads;
-  double sum, velocity;
+  double momentum, mass, velocity;
   std::size_t end() const { return first + beads; }
 };
 
 /// Velocities relative to the lowest bead. The wall's block keeps velocity 0: nothing moves the wall.
-std::vector<Block> pooled(std::span<const double> velocity, bool on_wall) {
+std::vector<Block> pooled(std::span<const double> velocity, bool on_wall, std::span<const double> mass) {
   std::vector<Block> blocks;
   for (std::size_t bead = 0; bead < velocity.size(); ++bead) {
-    blocks.push_back({bead, 1, velocity[bead], velocity[bead]});
+    const double m = mass_of(mass, bead);
+    blocks.push_back({bead, 1, m * velocity[bead], m, velocity[bead]});
     while (blocks.size() > 1 && blocks[blocks.size() - 2].velocity >= blocks.back().velocity) {
       const Block above = blocks.back();
       blocks.pop_back();
       Block& block = blocks.back();
       block.beads += above.beads;
-      block.sum += above.sum;
-      block.velocity = on_wall && block.first == 0 ? 0.0 : block.sum / static_cast<double>(block.beads);
+      block.momentum += above.momentum;
+      block.mass += above.mass;
+      block.velocity = on_wall && block.first == 0 ? 0.0 : block.momentum / block.mass;
     }
   }
   return blocks;
@@ -33,15 +39,14 @@ std::vector<Block> pooled(std::span<const double> velocity, bool on_wall) {
 
 }  // namespace
 
-Cluster cluster_around(std::size_t k, std::span<const double> u, bool on_wall) {
+Cluster cluster_around(std::size_t k, std::span<const double> u, bool on_wall, std::span<const double> mass) {
   std::vector<double> velocity{0.0};
   for (const double closing : u) velocity.push_back(velocity.back() - closing);
-  const std::vector<Block> blocks = pooled(velocity, on_wall);
+  const std::vector<Block> blocks = pooled(velocity, on_wall, mass);
 
   std::size_t b = 0;
   while (blocks[b].end() <= k + 1) ++b;  // contact k is below bead k + 1
   const Block& block = blocks[b];
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Cluster cluster{.first = block.first,
                   .beads = block.beads,
                   .wall = on_wall && block.first == 0,
@@ -52,7 +57,7 @@ Cluster cluster_around(std::size_t k, std::span<const double> u, bool on_wall) {
                   .parting = infinity};
   double impulse = 0.0;
   for (std::size_t bead = block.end() - 1; bead > block.first; --bead) {
-    impulse += block.velocity - velocity[bead];
+    impulse += mass_of(mass, bead) * (block.velocity - velocity[bead]);
     cluster.least_impulse = std::min(cluster.least_impulse, impulse);
   }
   if (b > 0) cluster.parting = block.velocity - blocks[b - 1].velocity;

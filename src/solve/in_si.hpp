@@ -9,15 +9,15 @@
 
 namespace sigmasweep {
 
-/// What an outcome in reduced units means for the tuple, but for eps_eff_error; where there is no result every number
-/// is NaN.
+/// What an outcome in reduced units means for the tuple (masses as in Column), but for eps_eff_error; where there is no
+/// result every number is NaN.
 template <class Real>
-Collision in_si(const Outcome<Real>& outcome, const Parameters& parameters) {
+Collision in_si(const Outcome<Real>& outcome, const Parameters& parameters, std::span<const Real> mass = {}) {
   Collision c;
   c.end = outcome.end;
   c.status = outcome.status;
   if (!is_success(outcome.status) && outcome.status != Status::tolerance_missed) return c;
-  const Energies<Real> e = energies<Real>(std::span<const Real>(outcome.velocity), Real(1));
+  const Energies<Real> e = energies<Real>(std::span<const Real>(outcome.velocity), Real(1), mass);
   c.eps_eff = static_cast<double>(e.eps_eff);
   c.Er_Ef = static_cast<double>(e.Er_Ef);
   c.Er_E0 = static_cast<double>(e.Er_E0);

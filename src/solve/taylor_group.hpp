@@ -22,12 +22,28 @@ template <> struct TaylorOrder<double> { static constexpr int value = 24; };    
 template <> struct TaylorOrder<long double> { static constexpr int value = 28; };        // 6e-23
 inline constexpr double taylor_reach = 2.0;
 
+/// How the forces F of neighbouring contacts drive one another, in blocks of contacts. Beads of equal mass 1:
+///     x_k'' = F_{k-1} - w_k F_k + F_{k+1},   w_k = 2 (1 for the wall contact, whose wall does not move).
+template <class Block, bool Uneven>
+struct Coupling {
+  Block w;
+  Block operator()(const Block& below, const Block& F, const Block& above) const { return below + above - w * F; }
+};
+/// Beads of masses m_k, bead k-1 below contact k and bead k above it (1/m = 0 for the wall):
+///     x_k'' = (F_{k-1} - F_k)/m_{k-1} + (F_{k+1} - F_k)/m_k.
+template <class Block>
+struct Coupling<Block, true> {
+  Block bead_below, bead_above;  ///< 1/m
+  Block operator()(const Block& below, const Block& F, const Block& above) const {
+    return bead_below * (below - F) + bead_above * (above - F);
+  }
+};
+
 /// A run of neighbouring contacts, some closed and some open, propagated together. With F_k = K_k x_k + C_k x_k' where
-/// k is closed and 0 where it is open,
-///     x_k'' = F_{k-1} - w_k F_k + F_{k+1},   w_k = 2 (1 for the wall contact, whose wall does not move),
-/// a linear system with constant coefficients: its Taylor series about the step's start is exact to rounding.
+/// k is closed and 0 where it is open, and coupled as above, they are a linear system with constant coefficients: its
+/// Taylor series about the step's start is exact to rounding.
 /// Several motions (Motions: the column's own and linearised disturbances of it) go through the same maps side by side.
-template <class Real, int Motions>
+template <class Real, int Motions, bool Uneven = false>
 class TaylorGroup {
  public:
   static constexpr int order = TaylorOrder<Real>::value;
@@ -40,26 +56,37 @@ class TaylorGroup {
     for (auto* v : {&suspect_, &examined_, &highest_})
       if (v->size() < blocks_) v->resize(blocks_);
     if (force_.size() < Motions * (blocks_ + 2)) force_.resize(Motions * (blocks_ + 2));
-    for (auto* v : {&K_, &C_, &w_, &sign_}) v->assign(blocks_, Block());
+    for (auto* v : {&K_, &C_, &sign_}) v->assign(blocks_, Block());
+    coupling_.assign(blocks_, {});
   }
 
   /// The law of contact i of the group: its spring and dashpot if closed, and its inertia w.
-  void set_law(std::size_t i, bool closed, const Real& K, const Real& C, const Real& w) {
-    at(K_, i) = closed ? K : Real(0);
-    at(C_, i) = closed ? C : Real(0);
-    at(w_, i) = w;
-    at(sign_, i) = closed ? Real(1) : Real(-1);
+  void set_law(std::size_t i, bool closed, const Real& K, const Real& C, const Real& w) requires(!Uneven) {
+    set_force(i, closed, K, C);
+    coupling_[i / Block::count].w[i % Block::count] = w;
+  }
+  /// The same with 1/m of the beads below (0: the wall) and above.
+  void set_law(std::size_t i, bool closed, const Real& K, const Real& C, const Real& below, const Real& above)
+    requires Uneven
+  {
+    set_force(i, closed, K, C);
+    coupling_[i / Block::count].bead_below[i % Block::count] = below;
+    coupling_[i / Block::count].bead_above[i % Block::count] = above;
   }
 
   /// Where a motion starts the step of at most h: overlaps x and rates u.
   void start(int motion, std::span<const Real> x, std::span<const Real> u, const Real& h) {
+    if (motion == 0) live_ = 0;
     for (std::size_t b = 0; b < blocks_; ++b) {
       const std::size_t first = b * Block::count, count = std::min(Block::count, contacts_ - first);
       Block x0, u0;
+      bool rests = true;
       for (std::size_t i = 0; i < count; ++i) {
         x0[i] = x[first + i];
         u0[i] = u[first + i];
+        rests = rests && x0[i] == 0 && u0[i] == 0;
       }
+      if (!rests) live_ = std::max(live_, b + 1);
       term(0, motion, b) = x0;
       term(1, motion, b) = u0 * Block(h);
     }
@@ -68,6 +95,7 @@ class TaylorGroup {
   /// The series in t/h, t from the step's start: term p is x_k^(p) h^p/p!.
   void expand(const Real& h) {
     h_ = h;
+    live_ = blocks_ <= 2 ? blocks_ : std::min(blocks_, live_ + halo);
     if (blocks_ == 1)
       expand_in_registers<1>();
     else if (blocks_ == 2)
@@ -83,15 +111,15 @@ class TaylorGroup {
   /// The first contact to change its state within the step. Of the contacts that cannot be ruled out the one that
   /// seems to be first is looked at closely; its root bounds the interval in which the others must be ruled out.
   std::optional<Crossing> first_crossing() {
-    for (std::size_t b = 0; b < blocks_; ++b) examined_[b] = Block();
+    for (std::size_t b = 0; b < live_; ++b) examined_[b] = Block();
     std::optional<Crossing> first;
     Real limit = 1;
     for (bool shorter = true;;) {
       if (shorter)
-        for (std::size_t b = 0; b < blocks_; ++b) rule_out(b, limit);
+        for (std::size_t b = 0; b < live_; ++b) rule_out(b, limit);
       std::size_t candidate = 0;
       Real earliest = never;
-      for (std::size_t i = 0; i < contacts_; ++i)
+      for (std::size_t i = 0, n = std::min(contacts_, live_ * Block::count); i < n; ++i)
         if (at(suspect_, i) < earliest) {
           earliest = at(suspect_, i);
           candidate = i;
@@ -110,7 +138,10 @@ class TaylorGroup {
 
   /// Overlaps and rates at t = s h.
   void evaluate(int motion, const Real& s, std::span<Real> x, std::span<Real> u) const {
-    for (std::size_t b = 0; b < blocks_; ++b) {
+    const std::size_t moving = std::min(contacts_, live_ * Block::count);
+    std::fill(x.begin() + std::ptrdiff_t(moving), x.begin() + std::ptrdiff_t(contacts_), Real(0));
+    std::fill(u.begin() + std::ptrdiff_t(moving), u.begin() + std::ptrdiff_t(contacts_), Real(0));
+    for (std::size_t b = 0; b < live_; ++b) {
       Block value, slope;
       for (int p = order; p >= 0; --p) {
         slope = slope * Block(s) + value;
@@ -131,6 +162,7 @@ class TaylorGroup {
   /// How large the leading terms of contact i's overlap and rate at t = s h are: what their rounding errors scale with.
   ContactState<Real> magnitude_of(std::size_t i, const Real& s) const {
     using std::abs;
+    if (i >= live_ * Block::count) return {};
     const Real a0 = abs(coefficient(0, i)), a1 = abs(coefficient(1, i)) * s, a2 = abs(coefficient(2, i)) * s * s;
     const Real a3 = abs(coefficient(3, i)) * s * s * s;
     return {a0 + a1 + a2 + a3, (a1 + 2 * a2 + 3 * a3) / (s * h_)};
@@ -140,7 +172,7 @@ class TaylorGroup {
   /// where it goes from positive to negative between two of them the overlap's maximum is located. After
   /// first_crossing(), which bounds the overlaps from above: few need the look.
   Real deepest(std::size_t i, const Real& s, const Real& known) const {
-    if (!(at(highest_, i) > known)) return known;
+    if (i >= live_ * Block::count || !(at(highest_, i) > known)) return known;
     constexpr int places = 4;
     Real largest = known, before = 0;
     Jet at_before = jet(i, before);
@@ -162,10 +194,17 @@ class TaylorGroup {
   using Blocks = std::vector<Block>;
   static constexpr int screen = 12;     ///< degree of the Bernstein polynomial that rules out most roots
   static constexpr double never = 1e9;
+  /// Blocks that a motion can reach within a step: each term of the series brings it one contact on.
+  static constexpr std::size_t halo = (order + Block::count - 1) / Block::count;
 
   Block& term(int p, int motion, std::size_t block) { return a_[std::size_t(p * Motions + motion) * blocks_ + block]; }
   const Block& term(int p, int motion, std::size_t block) const {
     return a_[std::size_t(p * Motions + motion) * blocks_ + block];
+  }
+  void set_force(std::size_t i, bool closed, const Real& K, const Real& C) {
+    at(K_, i) = closed ? K : Real(0);
+    at(C_, i) = closed ? C : Real(0);
+    at(sign_, i) = closed ? Real(1) : Real(-1);
   }
   static Real& at(Blocks& v, std::size_t i) { return v[i / Block::count][i % Block::count]; }
   static Real at(const Blocks& v, std::size_t i) { return v[i / Block::count][i % Block::count]; }
@@ -181,12 +220,13 @@ class TaylorGroup {
   void expand_in_registers() {
     constexpr int chains = Motions * InRegisters;  // chain c: motion c / InRegisters, block c % InRegisters
     const Block zero;
-    std::array<Block, InRegisters> K, C, w;
+    std::array<Block, InRegisters> K, C;
+    std::array<Coupling<Block, Uneven>, InRegisters> coupling;
     std::array<Block, chains> a, b, f;
     for (int r = 0; r < InRegisters; ++r) {
       K[r] = K_[r];
       C[r] = C_[r];
-      w[r] = w_[r];
+      coupling[r] = coupling_[r];
     }
     for (int c = 0; c < chains; ++c) {
       a[c] = term(0, c / InRegisters, c % InRegisters);
@@ -201,23 +241,23 @@ class TaylorGroup {
       for (int c = 0; c < chains; ++c) {
         const int r = c % InRegisters;
         a[c] = b[c];
-        b[c] = shifted_up(r > 0 ? f[c - (r > 0)] : zero, f[c]) +
-               shifted_down(f[c], r + 1 < InRegisters ? f[c + (r + 1 < InRegisters)] : zero) - w[r] * f[c];
+        b[c] = coupling[r](shifted_up(r > 0 ? f[c - (r > 0)] : zero, f[c]), f[c],
+                           shifted_down(f[c], r + 1 < InRegisters ? f[c + (r + 1 < InRegisters)] : zero));
         term(p + 2, c / InRegisters, r) = b[c];
       }
     }
   }
   void expand_many() {
     const std::size_t stride = blocks_ + 2;
-    for (int m = 0; m < Motions; ++m) force_[m * stride] = force_[m * stride + blocks_ + 1] = Block();
+    for (int m = 0; m < Motions; ++m) force_[m * stride] = force_[m * stride + live_ + 1] = Block();
     for (int p = 0; p + 2 <= order; ++p) {
       const auto [spring, dashpot] = weights(p);
       for (int m = 0; m < Motions; ++m) {
         Block* const f = force_.data() + m * stride + 1;
-        for (std::size_t b = 0; b < blocks_; ++b)
+        for (std::size_t b = 0; b < live_; ++b)
           f[b] = (K_[b] * Block(spring)) * term(p, m, b) + (C_[b] * Block(dashpot)) * term(p + 1, m, b);
-        for (std::size_t b = 0; b < blocks_; ++b)
-          term(p + 2, m, b) = shifted_up(f[b - 1], f[b]) + shifted_down(f[b], f[b + 1]) - w_[b] * f[b];
+        for (std::size_t b = 0; b < live_; ++b)
+          term(p + 2, m, b) = coupling_[b](shifted_up(f[b - 1], f[b]), f[b], shifted_down(f[b], f[b + 1]));
       }
     }
   }
@@ -298,8 +338,10 @@ class TaylorGroup {
   }
 
   std::size_t contacts_ = 0, blocks_ = 0;
+  std::size_t live_ = 0;  ///< blocks from here on rest during this step, in touch, not reached by the motion below
   Real h_{};
-  Blocks a_, K_, C_, w_, sign_, suspect_, examined_, highest_, force_;
+  Blocks a_, K_, C_, sign_, suspect_, examined_, highest_, force_;
+  std::vector<Coupling<Block, Uneven>> coupling_;
 };
 
 }  // namespace sigmasweep

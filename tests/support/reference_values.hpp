@@ -170,4 +170,60 @@ inline constexpr Collapse collapse[] = {
     {10, Wall::matched, true, 0.7309810839, 1e-04},
 };
 
+/// A column of hard spheres of the TC model, equal gaps; 200 digits. Of simultaneous collisions the fastest is first.
+struct HardTc {
+  std::int64_t N;
+  double epsilon, sigma;
+  Wall wall;
+  double eps_eff;
+  std::uint64_t collisions;
+  double uncertainty;     ///< of eps_eff
+  bool well_conditioned;  ///< if not, simultaneous events or times that are just tc apart decide
+};
+
+inline constexpr HardTc hard_tc[] = {
+    {10, 0.9, 0.01, Wall::paper, 0.993056052904249, 64, 1e-15, true},
+    {10, 0.9, 0.3, Wall::paper, 0.992903658590136, 100, 1e-15, true},
+    {10, 0.9, 1, Wall::paper, 0.992903658590136, 100, 1e-15, true},
+    {10, 0.9, 10, Wall::paper, 0.341547467016567, 100, 1e-15, true},
+    {10, 0.8, 0.01, Wall::paper, 0.986390435177177, 64, 1e-15, true},
+    {10, 0.8, 0.3, Wall::paper, 0.985556302788507, 92, 1e-15, true},
+    {10, 0.8, 1, Wall::paper, 0.985519570800454, 100, 1e-15, true},
+    {10, 0.8, 3, Wall::paper, 0.468096394386063, 95, 1e-15, true},
+    {10, 0.8, 10, Wall::paper, 0.092511793073296, 122, 1e-15, true},
+    {10, 0.6, 0.3, Wall::paper, 0.974057429359325, 64, 1e-15, true},
+    {10, 0.6, 10, Wall::paper, 0.056496269194921, 145, 1e-15, true},
+    {20, 0.9, 0.1, Wall::paper, 0.996427856726786, 382, 1e-15, true},
+    {20, 0.8, 0.01, Wall::paper, 0.993218528474228, 229, 1e-15, true},
+    {20, 0.8, 0.1, Wall::paper, 0.993218528474228, 229, 1e-15, true},
+    {20, 0.8, 0.3, Wall::paper, 0.992720120638680, 397, 1e-15, true},
+    {20, 0.8, 1, Wall::paper, 0.992716900031863, 429, 1e-15, true},
+    {20, 0.8, 3, Wall::paper, 0.158235932000938, 377, 1e-15, true},
+    {20, 0.8, 10, Wall::paper, 0.066486314247173, 499, 1e-15, true},
+    {20, 0.6, 0.01, Wall::paper, 0.987113943699028, 229, 1e-15, true},
+    {20, 0.6, 0.1, Wall::paper, 0.987113943699028, 229, 1e-15, true},
+    {20, 0.6, 1, Wall::paper, 0.984944835788904, 463, 1e-15, true},
+    {20, 0.6, 100, Wall::paper, 0.023026404779975, 2146, 1e-15, true},
+    {10, 0.9, 0.01, Wall::matched, 0.990454441153151, 64, 1e-15, true},
+    {10, 0.9, 0.3, Wall::matched, 0.990157818915745, 100, 1e-15, true},
+    {10, 0.9, 1, Wall::matched, 0.990157818915745, 100, 1e-15, true},
+    {10, 0.9, 3, Wall::matched, 0.328902435914286, 100, 1e-15, true},
+    {10, 0.8, 3, Wall::matched, 0.313657812556212, 93, 1e-15, true},
+    {10, 0.8, 10, Wall::matched, 0.093275967571133, 121, 9.3e-04, false},
+    {10, 0.8, 100, Wall::matched, 0.046610221266951, 118, 4.2e-03, false},
+    {10, 0.6, 0.01, Wall::matched, 0.967470929795826, 64, 1e-15, true},
+    {10, 0.6, 0.1, Wall::matched, 0.967470929795826, 64, 1e-15, true},
+    {10, 0.6, 0.3, Wall::matched, 0.967470929795826, 64, 1e-15, true},
+    {10, 0.6, 1, Wall::matched, 0.960278315396027, 88, 1e-15, true},
+    {10, 0.6, 3, Wall::matched, 0.308280316136394, 118, 1e-15, true},
+    {10, 0.6, 10, Wall::matched, 0.079352091099645, 120, 1.2e-01, false},
+    {20, 0.9, 0.01, Wall::matched, 0.995238664843765, 229, 1e-15, true},
+    {20, 0.9, 0.1, Wall::matched, 0.995036413524858, 365, 1.6e-05, false},
+    {20, 0.8, 0.1, Wall::matched, 0.990959131347000, 229, 1e-15, true},
+    {20, 0.8, 0.3, Wall::matched, 0.990018915949763, 397, 1e-15, true},
+    {20, 0.6, 0.3, Wall::matched, 0.983869910099907, 229, 1e-15, true},
+    {20, 0.6, 3, Wall::matched, 0.258210420638480, 469, 1e-15, true},
+    {20, 0.6, 100, Wall::matched, 0.003424309403825, 2184, 2.1e-02, false},
+};
+
 }  // namespace sigmasweep::reference

@@ -74,6 +74,31 @@ TEST_P(FixedStep, RawSIUnitsGiveTheSame) {
   for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(si.velocity[k] / p.v0, reduced.velocity[k], 1e-11);
 }
 
+// Beads of their own masses, gaps and laws against the integrators that locate the contacts.
+TEST_P(FixedStep, UnequalBeadsAndAllLawsMoveAsTheDefaultIntegratorSays) {
+  for (Law law : {Law::hooke, Law::hertz, Law::hertz_kuwabara_kono, Law::taguchi, Law::power})
+    for (double width : {0.0, 0.8e-3}) {
+      Parameters p{.sigma = 0.1, .epsilon = 0.85, .beta = 0.3, .gamma = 0.2, .width = width, .N = 5, .seed = 3};
+      p.law = law;
+      p.random_separation = Flag::yes;
+      p.integrator = GetParam();
+      p.steps_per_tc = 2017.0;
+      const Collision c = simulate_fixed_step(complete(p, Gap::sigma));
+      ASSERT_EQ(c.status, Status::ok) << name_of(law);
+      // First order: twenty times less than at tc/100, where the worst single contact has 1.7e-3.
+      EXPECT_LE(c.eps_eff_error, 1e-4) << name_of(law) << " " << width;
+    }
+}
+
+TEST_P(FixedStep, OverdampedBeadsThatStickTogetherComeToAnEnd) {
+  Column<double> c = column(2, 0.05, 0.0);
+  c.mass = {400.0, 400.0};
+  const auto o = fixed_step_collision(c, GetParam(), 1.0 / 400);
+  EXPECT_EQ(o.status, Status::ok);
+  EXPECT_EQ(o.end, End::settled);
+  EXPECT_NEAR(o.velocity[0], o.velocity[1], 1e-6);
+}
+
 TEST_P(FixedStep, WideGapsNeedNoMoreStepsThanNarrowOnes) {
   const auto wide = fixed_step_collision(column(3, 0.9, 1e6), GetParam(), 0.01, {.step_limit = 5000});
   EXPECT_EQ(wide.status, Status::ok);

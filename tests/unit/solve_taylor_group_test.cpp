@@ -64,6 +64,56 @@ TEST_P(ClosedChain, MovesAsItsNormalModesDo) {
     EXPECT_NEAR(x[std::size_t(k)], expected[std::size_t(k)], 2e-14) << "contact " << k;
 }
 
+// Masses of their own in the place of equal ones of 1: the same motion, but for rounding.
+TEST(UnevenChain, WithMassesOfOneMovesAsTheEvenOne) {
+  for (std::size_t n : {1, 7, 9, 40}) {
+    const Column<double> column = reduced_column<double>({.epsilon = 0.7, .N = std::int64_t(n)});
+    TaylorGroup<double, 1> even;
+    TaylorGroup<double, 1, true> uneven;
+    even.resize(n);
+    uneven.resize(n);
+    std::vector<double> x(n, 0.0), u(n, 0.0), y, v;
+    u[0] = 1.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      even.set_law(k, k % 5 != 4, column.K, column.C, k == 0 ? 1.0 : 2.0);
+      uneven.set_law(k, k % 5 != 4, column.K, column.C, k == 0 ? 0.0 : 1.0, 1.0);
+    }
+    y = x;
+    v = u;
+    for (int step = 0; step < 5; ++step) {
+      even.start(0, x, u, 0.3);
+      even.expand(0.3);
+      even.evaluate(0, 1.0, x, u);
+      uneven.start(0, y, v, 0.3);
+      uneven.expand(0.3);
+      uneven.evaluate(0, 1.0, y, v);
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      EXPECT_NEAR(x[k], y[k], 1e-14) << k;
+      EXPECT_NEAR(u[k], v[k], 1e-13) << k;
+    }
+  }
+}
+
+// Contacts that rest in touch ahead of the motion are left out: here 400 of them, of which a step reaches 24.
+TEST(LongChain, RestsAheadOfTheMotion) {
+  constexpr std::size_t n = 400;
+  const Column<double> column = reduced_column<double>({.epsilon = 0.7, .N = n});
+  TaylorGroup<double, 1> group;
+  group.resize(n);
+  for (std::size_t k = 0; k < n; ++k) group.set_law(k, true, column.K, column.C, k == 0 ? 1.0 : 2.0);
+  std::vector<double> x(n, 0.0), u(n, 0.0);
+  u[0] = 1.0;
+  const std::vector<double> u0 = u;
+  for (int step = 0; step < 40; ++step) {
+    group.start(0, x, u, 0.4);
+    group.expand(0.4);
+    group.evaluate(0, 1.0, x, u);
+  }
+  const std::vector<double> expected = by_modes(n, column.K, column.C, u0, 16.0);
+  for (std::size_t k = 0; k < n; ++k) EXPECT_NEAR(x[k], expected[k], 1e-12) << k;  // the eigensolver: N roundings
+}
+
 // One, two and many registers; light damping, and over-damped fast modes (eps < 0.043).
 INSTANTIATE_TEST_SUITE_P(Sizes, ClosedChain,
                          testing::Combine(testing::Values(1, 2, 7, 8, 9, 16, 17, 40), testing::Values(1.0, 0.9, 0.3, 0.01)));

@@ -1,0 +1,113 @@
+#include "sigmasweep/solve/trajectory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "exact_column.hpp"
+#include "nonlinear_column.hpp"
+#include "samples.hpp"
+#include "sigmasweep/solve/column.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// What a solver's units are in SI, and when its clock starts.
+struct Units {
+  double time, length;  ///< s, m
+  double start;         ///< s after the start of the fall
+};
+
+/// Samples of the fall before the clock starts: uniform motion.
+void fall(const Column<double>& column, double t, std::span<double> x, std::span<double> u) {
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    x[k] = -column.initial_gap(k);
+    u[k] = 0.0;
+  }
+  x[0] += column.speed * t;
+  u[0] = column.speed;
+}
+
+Units units_of(const Parameters& p, const Column<double>& column) {
+  if (p.method == Method::ed) {
+    if (p.s0 > 0.0) return {p.s0 / p.v0, p.s0, 0.0};
+    return {p.tc, p.v0 * p.tc, 0.0};
+  }
+  const double first_contact = column.initial_gap(0) / column.speed * p.tc;
+  const bool from_the_start = p.integrator != Integrator::exact;
+  return {p.tc, p.v0 * p.tc, from_the_start ? 0.0 : first_contact};
+}
+
+void watch(const Parameters& p, const Column<double>& column, Samples& samples) {
+  if (p.method == Method::ed) return watch_hard_spheres(column, p.ed_rule, samples);
+  if (p.integrator != Integrator::exact) return watch_fixed_step(column, p.integrator, 1.0 / p.steps_per_tc, samples);
+  const double start = -column.initial_gap(0) / column.speed;
+  const auto falling = [&](double t, auto x, auto u) { fall(column, t - start, x, u); };
+  samples.until(std::nextafter(0.0, -1.0), falling);
+  if (column.exponents.linear()) return watch_exact(column, samples);
+  watch_nonlinear(column, samples);
+}
+
+/// z_i = -(x_0 + ... + x_i), v_i = -(u_0 + ... + u_i).
+void add_up(std::span<const double> of_contacts, double unit, std::vector<double>& of_beads) {
+  double sum = 0.0;
+  for (const double value : of_contacts) of_beads.push_back(-unit * (sum += value));
+}
+
+}  // namespace
+
+double Trajectory::base(std::size_t bead) const {
+  double below = 0.0;
+  for (std::size_t i = 0; i < bead; ++i) below += diameter[i];
+  return below + 0.5 * diameter[bead];
+}
+
+Trajectory record(const Parameters& p, std::span<const double> times) {
+  const Column<double> column = reduced_column<double>(p);
+  const Units units = units_of(p, column);
+  std::vector<double> reduced;
+  for (const double t : times) reduced.push_back((t - units.start) / units.time);
+  Samples samples(std::move(reduced), column.contacts());
+  watch(p, column, samples);
+
+  Trajectory trajectory;
+  trajectory.time.assign(times.begin(), times.end());
+  for (std::size_t s = 0; s < times.size(); ++s) {
+    add_up(samples.x(s), units.length, trajectory.z);
+    add_up(samples.u(s), units.length / units.time, trajectory.velocity);
+  }
+  trajectory.mass = column.is_uniform() ? std::vector<double>(column.contacts(), 1.0) : column.mass;
+  for (const double mass : trajectory.mass) trajectory.diameter.push_back(p.d * std::cbrt(mass));
+  return trajectory;
+}
+
+void watch_exact(const Column<double>& column, Samples& samples) {
+  ExactOptions options;
+  options.settle = 0.0;  // to the last sample
+  if (column.is_uniform())
+    ExactColumn<double, 0, false>(column, options).run(samples);
+  else
+    ExactColumn<double, 0, true>(column, options).run(samples);
+}
+
+void watch_nonlinear(const Column<double>& column, Samples& samples) {
+  NonlinearOptions options;
+  options.settle = 0.0;
+  NonlinearColumn<double>(column, options).run(samples);
+}
+
+double show_time(const Parameters& p, const Collision& collision) {
+  const double first_contact = reduced_column<double>(p).initial_gap(0) * p.tc;  // sigma tc = s0/v0
+  const double last_contact = first_contact + collision.t_k;
+  if (last_contact > 0.0 || std::isnan(last_contact)) return 1.5 * last_contact;
+  return 1.5 * static_cast<double>(p.N) * p.tc;
+}
+
+std::vector<double> sample_times(double duration, std::size_t count) {
+  std::vector<double> times(count);
+  const double last = static_cast<double>(count - 1);
+  for (std::size_t s = 0; s < count; ++s) times[s] = duration * (static_cast<double>(s) / last);
+  return times;
+}
+
+}  // namespace sigmasweep
