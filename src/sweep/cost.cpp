@@ -1,7 +1,8 @@
 #include "sigmasweep/sweep/cost.hpp"
 
-#include <algorithm>
 #include <array>
+
+#include "sigmasweep/scene/law.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -11,15 +12,22 @@ namespace {
 /// spends on chaotic or collapsing tuples is not predicted. To calibrate: run_time against predicted_time in /timings.
 struct Coefficients {
   double start = 0.8e-6;            ///< any tuple: reducing the column, summing up
-  double dense_bead = 0.6e-6;       ///< exact: the wave through the touching column, each bead
-  double dense_pair = 0.35e-6;      ///< exact: the same, each bead for each bead that moves with it
-  double contact = 0.2e-6;          ///< exact: a contact that overlaps no other in time, closed formulas
-  double shared_contact = 40e-9;    ///< exact: a contact that overlaps others, each bead
   double wave = 1.5;                ///< fixed step: duration of the wave in tc per bead (t_k is about N tc)
   double hard_collision = 0.12e-6;  ///< ed: a collision
   double hard_collision_bead = 3e-9;  ///< ed: a collision, each bead
+  double unequal = 1.5;             ///< soft: times equal beads
+  double tc_rule = 1.5;             ///< ed: times the rule lrv
 };
 constexpr Coefficients cost;
+
+/// The same for the exact solvers.
+struct Exact {
+  double dense_bead;      ///< the wave through the touching column, each bead
+  double dense_pair;      ///< the same, each bead for each bead that moves with it
+  double contact;         ///< a contact that overlaps no other in time
+  double shared_contact;  ///< a contact that overlaps others, each bead
+};
+constexpr Exact linear{0.6e-6, 0.35e-6, 0.2e-6, 40e-9}, nonlinear{100e-6, 8e-6, 70e-6, 1e-6};
 
 /// A step of a fixed-step scheme, and each bead of it, s; in the order of Integrator.
 struct Step {
@@ -31,10 +39,10 @@ constexpr std::array<Step, 4> steps{{{0.0, 0.0}, {20e-9, 5e-9}, {20e-9, 2e-9}, {
 /// the beads fly apart after the wave and hardly meet again.
 double later_contacts(double N, double sigma) { return N * N * sigma * sigma / (0.3 + sigma * sigma); }
 
-double exact_time(double N, double sigma) {
-  const double wave = N * (cost.dense_bead + cost.dense_pair * N) / (1.0 + sigma);
+double exact_time(double N, double sigma, const Exact& law) {
+  const double wave = N * (law.dense_bead + law.dense_pair * N) / (1.0 + sigma);
   const double shared = N / (N + sigma);  // share of the contacts that overlap others: N of them in a time sigma
-  return wave + later_contacts(N, sigma) * (cost.contact + cost.shared_contact * N * shared);
+  return wave + later_contacts(N, sigma) * (law.contact + law.shared_contact * N * shared);
 }
 
 /// Free flight is not stepped through: the duration is that of the wave and of the later contacts, tc each.
@@ -47,9 +55,13 @@ double fixed_step_time(double N, double sigma, double steps_per_tc, const Step& 
 
 double predicted_time(const Parameters& p) {
   const double N = static_cast<double>(p.N);
-  const double sigma = std::min(p.sigma, 1e12);  // no inf/inf; nothing changes up there
-  if (p.method == Method::ed) return cost.start + N * N * (cost.hard_collision + cost.hard_collision_bead * N);
-  const double exact = cost.start + exact_time(N, sigma);
+  const double sigma = p.sigma < 1e12 ? p.sigma : 1e12;  // no inf/inf, no NaN; nothing changes up there
+  if (p.method == Method::ed) {
+    const double rule = p.ed_rule == EdRule::tc ? cost.tc_rule : 1.0;
+    return cost.start + rule * N * N * (cost.hard_collision + cost.hard_collision_bead * N);
+  }
+  const double harder = p.width > 0.0 ? cost.unequal : 1.0;
+  const double exact = cost.start + harder * exact_time(N, sigma, exponents(p).linear() ? linear : nonlinear);
   if (p.integrator == Integrator::exact) return exact;
   // The exact solution comes with it: it is what the error is measured against.
   return exact + fixed_step_time(N, sigma, p.steps_per_tc, steps[static_cast<std::size_t>(p.integrator)]);

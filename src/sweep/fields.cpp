@@ -23,6 +23,10 @@ template <class T> constexpr FieldType type_of() {
   else if constexpr (std::is_same_v<T, Method>) return FieldType::method;
   else if constexpr (std::is_same_v<T, Wall>) return FieldType::wall;
   else if constexpr (std::is_same_v<T, Integrator>) return FieldType::integrator;
+  else if constexpr (std::is_same_v<T, Law>) return FieldType::law;
+  else if constexpr (std::is_same_v<T, Material>) return FieldType::material;
+  else if constexpr (std::is_same_v<T, EdRule>) return FieldType::ed_rule;
+  else if constexpr (std::is_same_v<T, Flag>) return FieldType::flag;
   else if constexpr (std::is_same_v<T, End>) return FieldType::end;
   else if constexpr (std::is_same_v<T, Status>) return FieldType::status;
 }
@@ -32,15 +36,25 @@ template <class T> constexpr FieldType type_of() {
 
 constexpr std::array parameters{
     SIGMASWEEP_FIELD(parameters, v0, "m/s", "approach speed of the column"),
-    SIGMASWEEP_FIELD(parameters, tc, "s", "contact time of a pair of beads, Eq. (6)"),
+    SIGMASWEEP_FIELD(parameters, tc, "s", "contact time of a pair of beads, Eq. (6); nonlinear: at v0, Eq. (A2)"),
     SIGMASWEEP_FIELD(parameters, s0, "m", "initial gap between neighbours and to the wall"),
     SIGMASWEEP_FIELD(parameters, sigma, "1", "s0/(v0 tc), time between contacts over contact time"),
     SIGMASWEEP_FIELD(parameters, N, "1", "number of beads"),
-    SIGMASWEEP_FIELD(parameters, epsilon, "1", "restitution of a pair of beads, Eq. (7)"),
+    SIGMASWEEP_FIELD(parameters, epsilon, "1", "restitution of a pair of beads, Eq. (7); nonlinear: at v0"),
     SIGMASWEEP_FIELD(parameters, method, "1", "md: soft spheres; ed: hard spheres, event-driven"),
     SIGMASWEEP_FIELD(parameters, wall, "1", "paper: same spring and dashpot as a pair; matched: same tc and epsilon"),
+    SIGMASWEEP_FIELD(parameters, law, "1", "of the contact force, F = K x^(1+beta) + D x^gamma x'"),
+    SIGMASWEEP_FIELD(parameters, beta, "1", "power law: exponent of the spring"),
+    SIGMASWEEP_FIELD(parameters, gamma, "1", "power law: exponent of the dashpot"),
+    SIGMASWEEP_FIELD(parameters, K_over_m, "1/(s^2 m^beta)", "spring of a pair over its reduced mass"),
+    SIGMASWEEP_FIELD(parameters, D_n, "1/(s m^gamma)", "dashpot of a pair over twice its reduced mass"),
+    SIGMASWEEP_FIELD(parameters, material, "1", "beads of Sec. III: their diameter, stiffness and damping"),
     SIGMASWEEP_FIELD(parameters, integrator, "1", "how soft spheres are moved"),
     SIGMASWEEP_FIELD(parameters, d, "m", "bead diameter"),
+    SIGMASWEEP_FIELD(parameters, width, "m", "diameters are uniform in d +- width/2"),
+    SIGMASWEEP_FIELD(parameters, random_separation, "1", "whether each bead is shifted by up to +- s0/2 at the start"),
+    SIGMASWEEP_FIELD(parameters, seed, "1", "of random diameters and separations"),
+    SIGMASWEEP_FIELD(parameters, ed_rule, "1", "ed: lrv, each collision loses; tc, none soon after another one"),
     SIGMASWEEP_FIELD(parameters, steps_per_tc, "1", "gear5, verlet, rk4: time steps per contact time"),
     SIGMASWEEP_FIELD(parameters, tolerance, "1", "exact: wanted absolute error of eps_eff"),
 };
@@ -98,6 +112,10 @@ std::span<const std::string_view> enumerators(FieldType type) {
     case FieldType::method: return names_of<Method>();
     case FieldType::wall: return names_of<Wall>();
     case FieldType::integrator: return names_of<Integrator>();
+    case FieldType::law: return names_of<Law>();
+    case FieldType::material: return names_of<Material>();
+    case FieldType::ed_rule: return names_of<EdRule>();
+    case FieldType::flag: return names_of<Flag>();
     case FieldType::end: return names_of<End>();
     case FieldType::status: return names_of<Status>();
     default: return {};

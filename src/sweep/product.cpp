@@ -3,23 +3,37 @@
 #include <cassert>
 #include <utility>
 
+#include "contacts.hpp"
+
 namespace sigmasweep {
 
-Product::Product(const Parameters& base, Gap gap, std::vector<Group> groups)
-    : base_(base), gap_(gap), groups_(std::move(groups)) {
-  for (const Group& group : groups_) size_ *= group.front().axis.size();
+std::uint64_t size_of(const std::vector<Product::Group>& groups) {
+  std::uint64_t size = 1;
+  for (const Product::Group& group : groups) size *= group.front().axis.size();
+  return size;
 }
+
+Parameters values_at(const Parameters& base, const std::vector<Product::Group>& groups, std::uint64_t index) {
+  Row row;
+  row.parameters = base;
+  for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
+    const std::uint64_t length = group->front().axis.size();
+    for (const Product::Member& member : *group) set_number(*member.field, row, member.axis[index % length]);
+    index /= length;
+  }
+  return row.parameters;
+}
+
+Product::Product(const Parameters& base, Gap gap, std::vector<Group> groups)
+    : base_(base), gap_(gap), groups_(std::move(groups)), size_(size_of(groups_)),
+      contacts_(std::make_shared<const Contacts>(base_, groups_)) {}
 
 Parameters Product::at(std::uint64_t index) const {
   assert(index < size_);
-  Row row;
-  row.parameters = base_;
-  for (auto group = groups_.rbegin(); group != groups_.rend(); ++group) {
-    const std::uint64_t length = group->front().axis.size();
-    for (const Member& member : *group) set_number(*member.field, row, member.axis[index % length]);
-    index /= length;
-  }
-  return complete(row.parameters, gap_);
+  Parameters parameters = values_at(base_, groups_, index);
+  contacts_->give(parameters);
+  give_gap(parameters, gap_);
+  return parameters;
 }
 
 }  // namespace sigmasweep

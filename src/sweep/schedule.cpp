@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <queue>
 #include <stdexcept>
@@ -33,23 +34,42 @@ Schedule::Schedule(std::vector<std::uint64_t> rows, std::vector<double> predicte
   }
   longest_ = seconds_.empty() ? 0.0 : seconds_.front();
   left_ = total_;
+  to_do_ = {0, rows_.size()};
 }
 
-std::size_t Schedule::chunk_end(std::size_t first, double& left) const {
-  const double target = std::clamp(left / (2.0 * ranks_), min_chunk_, max_chunk_);
+std::size_t Schedule::chunk_end(Range rows, double& left, double most_seconds) const {
+  const double target = std::min(std::clamp(left / (2.0 * ranks_), min_chunk_, max_chunk_), most_seconds);
   double chunk = 0.0;
-  std::size_t end = first;
+  std::size_t end = rows.first;
   do chunk += seconds_[end++];
-  while (end < seconds_.size() && chunk + seconds_[end] <= target);
+  while (end < rows.end && chunk + seconds_[end] <= target);
   left = std::max(0.0, left - chunk);
   return end;
 }
 
-std::span<const std::uint64_t> Schedule::next() {
-  if (next_ == rows_.size()) return {};
-  const std::size_t first = next_;
-  next_ = chunk_end(first, left_);
-  return std::span(rows_).subspan(first, next_ - first);
+void Schedule::pass_over(Range rows) {
+  if (rows.first == rows.end) return;
+  if (!passed_over_.empty() && passed_over_.back().end == rows.first) passed_over_.back().end = rows.end;
+  else passed_over_.push_back(rows);
+}
+
+std::span<const std::uint64_t> Schedule::next(double most_seconds) {
+  for (std::size_t ranges = passed_over_.size() + 1; ranges > 0; --ranges) {
+    const auto longer = std::partition_point(seconds_.begin() + static_cast<std::ptrdiff_t>(to_do_.first),
+                                             seconds_.begin() + static_cast<std::ptrdiff_t>(to_do_.end),
+                                             [&](double seconds) { return seconds > most_seconds; });
+    const auto first = static_cast<std::size_t>(longer - seconds_.begin());
+    pass_over({to_do_.first, first});
+    if (first < to_do_.end) {
+      to_do_.first = chunk_end({first, to_do_.end}, left_, most_seconds);
+      return std::span(rows_).subspan(first, to_do_.first - first);
+    }
+    to_do_ = {};
+    if (passed_over_.empty()) break;
+    to_do_ = passed_over_.front();
+    passed_over_.erase(passed_over_.begin());
+  }
+  return {};
 }
 
 double Schedule::total_seconds() const { return total_; }
@@ -61,7 +81,7 @@ double Schedule::predicted_makespan() const {
   std::priority_queue<double, Times, std::greater<>> free_at(std::greater<>{}, Times(static_cast<std::size_t>(ranks_)));
   double left = total_, last = 0.0;
   for (std::size_t first = 0; first < rows_.size();) {
-    const std::size_t end = chunk_end(first, left);
+    const std::size_t end = chunk_end({first, rows_.size()}, left, std::numeric_limits<double>::infinity());
     const auto chunk = seconds_.begin();
     const double done = std::accumulate(chunk + static_cast<std::ptrdiff_t>(first),
                                         chunk + static_cast<std::ptrdiff_t>(end), free_at.top());

@@ -29,12 +29,14 @@ void require_allowed(const Entry& entry, const Field& field, double value) {
   if (is_whole(field) && !(std::floor(value) == value && std::abs(value) <= largest_whole))
     refuse_value(entry, "must be a whole number");
   Row row;
+  if (field.name == "width") row.parameters.d = 1e300;  // what it may be depends on d: see require_diameters()
   set_number(field, row, value);
   const std::string why = why_invalid(row.parameters);
   if (!why.empty()) throw SpecError(fmt::format("{}sweep.{}", place(*entry.file, entry.line), why));
 }
 
 double read_value(const Entry& entry, const Field& field) {
+  if (field.type == FieldType::flag) return as_truth(entry) ? 1.0 : 0.0;
   if (const auto names = enumerators(field.type); !names.empty()) return static_cast<double>(as_one_of(entry, names));
   const double value = as_number(entry);
   require_allowed(entry, field, value);
@@ -70,6 +72,7 @@ const Entry& need(const Entry& entry, const std::vector<Entry>& keys, std::strin
 }
 
 Form read_form(const Entry& entry, const Field& field) {
+  if (field.type == FieldType::flag) refuse(entry, "must be true or false, or a list of them");
   if (!enumerators(field.type).empty())
     refuse(entry, fmt::format("must be a name or a list of names: {}", alternatives(enumerators(field.type))));
   const auto keys = entries(as_table(entry), *entry.file, entry.path);

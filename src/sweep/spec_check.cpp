@@ -5,51 +5,36 @@
 
 #include <fmt/format.h>
 
-#include "sigmasweep/errors.hpp"
-#include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/sweep/usage.hpp"
 
 namespace sigmasweep::spec {
 namespace {
 
-/// Which combinations of method and integrator occur.
-class Combinations {
- public:
-  Combinations(const std::vector<Setting>& settings, const std::vector<Zip>& zips) {
-    const Setting* method = find(settings, "method");
-    const Setting* integrator = find(settings, "integrator");
-    const Zip* zip = zip_of(zips, "method");
-    if (method && integrator && zip && zip == zip_of(zips, "integrator")) {
-      for (std::uint64_t k = 0; k < method->axis.size(); ++k) seen_[at(method, k)][at(integrator, k)] = true;
-      return;
-    }
-    for (std::uint64_t m = 0; m < length(method); ++m) seen_[at(method, m)][0] = true;
-    std::array<bool, 4> integrators{};
-    for (std::uint64_t i = 0; i < length(integrator); ++i) integrators[at(integrator, i)] = true;
-    for (auto& row : seen_)
-      if (row[0]) row = integrators;
-  }
+/// What is given together.
+using Way = std::array<std::string_view, 2>;
+constexpr Way by_contact{"tc", "epsilon"}, by_spring{"K_over_m", "D_n"}, by_material{"material", ""};
 
-  bool soft() const { return exact() || fixed_step(); }
-  bool exact() const { return soft_row()[0]; }
-  bool fixed_step() const {
-    return std::any_of(soft_row().begin() + 1, soft_row().end(), [](bool seen) { return seen; });
-  }
+const Setting* first_of(const Way& way, const std::vector<Setting>& settings) {
+  for (const std::string_view name : way)
+    if (const Setting* setting = find(settings, name)) return setting;
+  return nullptr;
+}
 
- private:
-  static std::uint64_t length(const Setting* setting) { return setting ? setting->axis.size() : 1; }
-  /// The number of the k-th enumerator; the defaults are number 0.
-  static std::size_t at(const Setting* setting, std::uint64_t k) {
-    return setting ? static_cast<std::size_t>(setting->axis[k]) : 0;
-  }
-  const std::array<bool, 4>& soft_row() const { return seen_[static_cast<std::size_t>(Method::md)]; }
+[[noreturn]] void refuse_missing(const Entry& sweep, std::string_view name) {
+  refuse(sweep, fmt::format("'{}' is missing: v0, N, one of s0 and sigma, and tc and epsilon (or instead of these "
+                            "K_over_m and D_n, or a material) are needed", name));
+}
 
-  static_assert(static_cast<int>(Method::md) == 0 && static_cast<int>(Integrator::exact) == 0);
-  std::array<std::array<bool, 4>, 2> seen_{};
-};
+/// Hard spheres have no contact time: the default only gives sigma its unit.
+bool needs_tc(const Parameters& kind) { return kind.method == Method::md || kind.ed_rule == EdRule::tc; }
 
-bool only_hard_spheres(const std::vector<Setting>& settings) {
-  const Setting* method = find(settings, "method");
-  return method != nullptr && method->axis.bounds().first == static_cast<double>(Method::ed);
+void require_gap(const Entry& sweep, const std::vector<Setting>& settings) {
+  const Setting* s0 = find(settings, "s0");
+  const Setting* sigma = find(settings, "sigma");
+  if (!s0 && !sigma) refuse(sweep, "one of 's0' and 'sigma' is missing");
+  if (s0 && sigma)
+    refuse((s0->entry.line > sigma->entry.line ? s0 : sigma)->entry,
+           "give s0 or sigma, not both: sigma = s0/(v0 tc)");
 }
 
 }  // namespace
@@ -66,54 +51,49 @@ const Zip* zip_of(const std::vector<Zip>& zips, std::string_view name) {
   return nullptr;
 }
 
-void require_complete(const Entry& sweep, const std::vector<Setting>& settings) {
-  for (const std::string_view name : {"v0", "tc", "N", "epsilon"}) {
-    if (find(settings, name) || (name == "tc" && only_hard_spheres(settings))) continue;
-    refuse(sweep, fmt::format("'{}' is missing: v0, tc, N, epsilon and one of s0 and sigma are needed", name));
+void require_one_way(const std::vector<Setting>& settings) {
+  const Setting* first = nullptr;
+  for (const Way& way : {by_contact, by_spring, by_material}) {
+    const Setting* given = first_of(way, settings);
+    if (first && given)
+      refuse((first->entry.line > given->entry.line ? first : given)->entry,
+             fmt::format("'{}' and '{}' conflict: give tc and epsilon, or K_over_m and D_n, or a material",
+                         first->field->name, given->field->name));
+    if (given) first = given;
   }
-  const Setting* s0 = find(settings, "s0");
-  const Setting* sigma = find(settings, "sigma");
-  if (!s0 && !sigma) refuse(sweep, "one of 's0' and 'sigma' is missing");
-  if (s0 && sigma)
-    refuse((s0->entry.line > sigma->entry.line ? s0 : sigma)->entry,
-           "give s0 or sigma, not both: sigma = s0/(v0 tc)");
+  if (const Setting* K_over_m = find(settings, "K_over_m"); K_over_m && !(K_over_m->axis.bounds().first > 0.0))
+    refuse(K_over_m->entry, "must be > 0");
+  const Setting* material = find(settings, "material");
+  if (!material) return;
+  if (material->axis.bounds().first == static_cast<double>(Material::none))
+    refuse(material->entry, "'none' is what holds without a material: leave it out");
+  if (const Setting* d = find(settings, "d")) refuse(d->entry, "'d' and 'material' conflict: d is the material's");
 }
 
-void require_used(const std::vector<Setting>& settings, const std::vector<Zip>& zips) {
-  const Combinations seen(settings, zips);
-  struct Need {
-    std::string_view name;
-    bool met;
-    std::string_view what;
+void require_complete(const Entry& sweep, const std::vector<Setting>& settings, const std::vector<Parameters>& kinds) {
+  const auto require = [&](std::string_view name) {
+    if (!find(settings, name)) refuse_missing(sweep, name);
   };
-  for (const Need& need : {Need{"integrator", seen.soft(), "method = 'md'"},
-                           Need{"steps_per_tc", seen.fixed_step(), "integrator = 'gear5', 'verlet' or 'rk4'"},
-                           Need{"tolerance", seen.exact(), "method = 'md' with integrator = 'exact'"}})
-    if (const Setting* setting = find(settings, need.name); setting && !need.met)
-      refuse(setting->entry, fmt::format("no tuple uses it: it needs {}", need.what));
+  require("v0");
+  if (first_of(by_spring, settings)) {
+    require("K_over_m");
+  } else if (!first_of(by_material, settings)) {
+    if (std::ranges::any_of(kinds, needs_tc)) require("tc");
+    require("epsilon");
+  }
+  require("N");
+  require_gap(sweep, settings);
+  for (const std::string_view name : {"beta", "gamma"})
+    if (!find(settings, name) && std::ranges::any_of(kinds, [&](const Parameters& kind) {
+          return is_used(*find_field(name), kind);
+        }))
+      refuse(find(settings, "law")->entry, fmt::format("'{}' is missing: law = 'power' needs beta and gamma", name));
 }
 
-void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base) {
-  // sigma and s0 are monotonic in v0, tc and each other: the corners of the box that the axes span are the extremes.
-  const auto ends = [&](std::string_view name, double otherwise) {
-    const Setting* setting = find(settings, name);
-    const auto [low, high] = setting ? setting->axis.bounds() : std::pair{otherwise, otherwise};
-    return std::array{low, high};
-  };
-  const Setting* s0 = find(settings, "s0");
-  const Gap gap = s0 ? Gap::s0 : Gap::sigma;
-  const Setting& given = s0 ? *s0 : *find(settings, "sigma");
-  for (const double v0 : ends("v0", base.v0))
-    for (const double tc : ends("tc", base.tc))
-      for (const double value : ends(given.field->name, 0.0)) {
-        Row row;
-        row.parameters.v0 = v0;
-        row.parameters.tc = tc;
-        set_number(*given.field, row, value);
-        if (const std::string why = why_invalid(complete(row.parameters, gap)); !why.empty())
-          refuse(given.entry,
-                 fmt::format("with v0 = {}, tc = {} and {} = {}: {}", v0, tc, given.field->name, value, why));
-      }
+void require_used(const std::vector<Setting>& settings, const std::vector<Parameters>& kinds) {
+  for (const Setting& setting : settings)
+    if (std::ranges::none_of(kinds, [&](const Parameters& kind) { return is_used(*setting.field, kind); }))
+      refuse(setting.entry, fmt::format("no tuple uses it: it needs {}", needed_for(*setting.field)));
 }
 
 }  // namespace sigmasweep::spec

@@ -16,12 +16,12 @@ const Setting* find(const std::vector<Setting>& settings, std::string_view name)
 /// The zip that has `name`, or null.
 const Zip* zip_of(const std::vector<Zip>& zips, std::string_view name);
 
-/// Everything that a tuple needs is given: v0, tc, N, epsilon, and one of s0 and sigma. Where all tuples are hard
-/// spheres tc may be left out.
-void require_complete(const Entry& sweep, const std::vector<Setting>& settings);
+/// Stiffness and damping are given in one way: tc and epsilon, K_over_m and D_n, or a material.
+void require_one_way(const std::vector<Setting>& settings);
+/// Everything that a tuple needs is given: v0, N, stiffness and damping, one of s0 and sigma, the exponents of a power
+/// law. Where no tuple needs tc it may be left out. `kinds`: of tuples, see kinds_of().
+void require_complete(const Entry& sweep, const std::vector<Setting>& settings, const std::vector<Parameters>& kinds);
 /// Every parameter that is given is used by at least one tuple (before `where`).
-void require_used(const std::vector<Setting>& settings, const std::vector<Zip>& zips);
-/// s0 and sigma are both finite for all v0, tc that the axes span.
-void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base);
+void require_used(const std::vector<Setting>& settings, const std::vector<Parameters>& kinds);
 
 }  // namespace sigmasweep::spec

@@ -99,6 +99,11 @@ std::size_t as_one_of(const Entry& entry, std::span<const std::string_view> allo
                                   near && allowed.size() > 1 ? fmt::format(" (did you mean '{}'?)", *near) : ""));
 }
 
+bool as_truth(const Entry& entry) {
+  if (const auto* value = entry.node->as_boolean()) return value->get();
+  refuse_value(entry, "must be true or false");
+}
+
 double as_number(const Entry& entry) {
   if (const auto* value = entry.node->as_floating_point()) return value->get();
   if (const auto* value = entry.node->as_integer()) return static_cast<double>(value->get());

@@ -37,6 +37,7 @@ const toml::table& as_table(const Entry& entry);
 std::string as_string(const Entry& entry);
 /// One of `allowed`, by its place in that list.
 std::size_t as_one_of(const Entry& entry, std::span<const std::string_view> allowed);
+bool as_truth(const Entry& entry);
 double as_number(const Entry& entry);  ///< an integer or a float
 std::uint64_t as_count(const Entry& entry, std::uint64_t least, std::uint64_t most);
 

@@ -1,15 +1,37 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <set>
 
+#include <fmt/format.h>
+
+#include "sigmasweep/errors.hpp"
+#include "sigmasweep/sweep/formula.hpp"
 #include "sigmasweep/sweep/spelling.hpp"
+#include "sigmasweep/sweep/where.hpp"
 #include "spec_tables.hpp"
 
 namespace sigmasweep::spec {
 namespace {
 
-constexpr std::array<std::string_view, 6> plot_keys{"x", "y", "x_scale", "y_scale", "series", "title"};
+constexpr auto plot_keys = std::to_array<std::string_view>(
+    {"name", "kind", "x", "y", "x_label", "y_label", "x_scale", "y_scale",
+     "series", "title", "where", "mean_over", "lines", "fit", "guides"});
+constexpr std::array<std::string_view, 3> fit_keys{"form", "from", "to"};
+constexpr std::array<std::string_view, 7> guide_keys{"slope", "y", "label", "through", "where", "from", "to"};
+constexpr std::array<std::string_view, 2> kinds{"points", "trajectories"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"};
+constexpr std::array<std::string_view, 2> forms{"power", "line"};
 constexpr std::array<std::string_view, 1> run_keys{"manager"};
 constexpr std::array<std::string_view, 3> managers{"auto", "computes", "dedicated"};
+constexpr std::size_t max_plots = 100;
+
+std::vector<Field> all_fields() {
+  std::vector<Field> all;
+  for (const auto fields : {parameter_fields(), result_fields(), timing_fields()})
+    all.insert(all.end(), fields.begin(), fields.end());
+  return all;
+}
 
 std::string as_field(const Entry& entry) {
   std::vector<std::string_view> known;
@@ -20,21 +42,145 @@ std::string as_field(const Entry& entry) {
   return name;
 }
 
-}  // namespace
+/// One or a list.
+std::vector<std::string> as_fields(const Entry& entry) {
+  if (entry.node->is_string()) return {as_field(entry)};
+  std::vector<std::string> fields;
+  for (const Entry& element : elements(entry)) fields.push_back(as_field(element));
+  return fields;
+}
+
+/// A field or an expression.
+template <class Kind>
+std::string as_expression(const Entry& entry) {
+  std::string text = as_string(entry);
+  const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  if (std::all_of(text.begin(), text.end(), is_letter)) as_field(entry);
+  try {
+    Kind(text, all_fields());
+  } catch (const UsageError& error) {
+    refuse_value(entry, error.what());
+  }
+  return text;
+}
+
+bool as_bool(const Entry& entry) {
+  if (const auto* value = entry.node->as_boolean()) return value->get();
+  refuse_value(entry, "must be true or false");
+}
+
+double as_finite(const Entry& entry) {
+  const double value = as_number(entry);
+  if (!std::isfinite(value)) refuse_value(entry, "must be finite");
+  return value;
+}
+
+/// Part of a file's name.
+std::string as_name(const Entry& entry) {
+  std::string name = as_string(entry);
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
+  if (name.empty() || name.size() > 60 || !std::all_of(name.begin(), name.end(), allowed))
+    refuse_value(entry, "must be at most 60 letters, digits, '-' and '_'");
+  return name;
+}
+
+FitSpec read_fit(const Entry& table) {
+  FitSpec fit;
+  for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
+    if (entry.name == "form") fit.form = static_cast<FitSpec::Form>(as_one_of(entry, forms));
+    else if (entry.name == "from") fit.from = as_finite(entry);
+    else if (entry.name == "to") fit.to = as_finite(entry);
+    else refuse_unknown(entry, fit_keys);
+  }
+  if (!(fit.from < fit.to)) refuse(table, "'from' must be less than 'to'");
+  return fit;
+}
+
+std::array<double, 2> as_point(const Entry& entry) {
+  const auto coordinates = elements(entry);
+  if (coordinates.size() != 2) refuse_value(entry, "must be a point [x, y]");
+  return {as_finite(coordinates[0]), as_finite(coordinates[1])};
+}
+
+GuideSpec read_guide(const Entry& table) {
+  GuideSpec guide;
+  bool sloped = false;
+  for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
+    if (entry.name == "label") guide.label = as_string(entry);
+    else if (entry.name == "slope") guide.slope = as_finite(entry), sloped = true;
+    else if (entry.name == "y") guide.y = as_finite(entry);
+    else if (entry.name == "through") guide.through = as_point(entry);
+    else if (entry.name == "where") guide.where = as_expression<Where>(entry);
+    else if (entry.name == "from") guide.from = as_finite(entry);
+    else if (entry.name == "to") guide.to = as_finite(entry);
+    else refuse_unknown(entry, guide_keys);
+  }
+  if (sloped == guide.y.has_value()) refuse(table, "a guide has either 'slope' or 'y'");
+  if (guide.y && (guide.through || !guide.where.empty())) refuse(table, "'through' and 'where' belong to 'slope'");
+  if (guide.through && !guide.where.empty()) refuse(table, "give 'through' or 'where', not both");
+  if (!(guide.from < guide.to)) refuse(table, "'from' must be less than 'to'");
+  return guide;
+}
+
+void require_drawable(const PlotSpec& plot, const Entry& table) {
+  for (const GuideSpec& guide : plot.guides) {
+    if (!guide.y && plot.x_log != plot.y_log)
+      refuse(table, "a guide with a slope needs two logarithmic axes, or two linear ones");
+    if (guide.through && plot.x_log && !((*guide.through)[0] > 0.0 && (*guide.through)[1] > 0.0))
+      refuse(table, "on logarithmic axes a guide must go through a point with x > 0 and y > 0");
+    if (guide.y && plot.y_log && !(*guide.y > 0.0)) refuse(table, "on a logarithmic axis a guide's y must be > 0");
+  }
+}
+
+void require_nothing_for_points(const Entry& plot) {
+  for (const Entry& entry : entries(as_table(plot), *plot.file, plot.path))
+    if (entry.name != "name" && entry.name != "kind" && entry.name != "title" && entry.name != "where")
+      refuse(entry, "a plot of kind 'trajectories' has no use for it");
+}
 
 PlotSpec read_plot(const Entry& plot) {
   PlotSpec spec;
   for (const Entry& entry : entries(as_table(plot), *plot.file, plot.path)) {
-    if (entry.name == "x") spec.x = as_field(entry);
-    else if (entry.name == "y") spec.y = as_field(entry);
+    if (entry.name == "name") spec.name = as_name(entry);
+    else if (entry.name == "kind") spec.kind = static_cast<PlotKind>(as_one_of(entry, kinds));
+    else if (entry.name == "x") spec.x = as_expression<Formula>(entry);
+    else if (entry.name == "y") spec.y = as_expression<Formula>(entry);
+    else if (entry.name == "x_label") spec.x_label = as_string(entry);
+    else if (entry.name == "y_label") spec.y_label = as_string(entry);
     else if (entry.name == "x_scale") spec.x_log = as_one_of(entry, scales) == 1;
     else if (entry.name == "y_scale") spec.y_log = as_one_of(entry, scales) == 1;
     else if (entry.name == "title") spec.title = as_string(entry);
-    else if (entry.name == "series")
-      for (const Entry& element : elements(entry)) spec.series.push_back(as_field(element));
+    else if (entry.name == "series") spec.series = as_fields(entry);
+    else if (entry.name == "where") spec.where = as_expression<Where>(entry);
+    else if (entry.name == "mean_over") spec.mean_over = as_fields(entry);
+    else if (entry.name == "lines") spec.lines = as_bool(entry);
+    else if (entry.name == "fit") spec.fit = read_fit(entry);
+    else if (entry.name == "guides")
+      for (const Entry& guide : elements(entry)) spec.guides.push_back(read_guide(guide));
     else refuse_unknown(entry, plot_keys);
   }
+  require_drawable(spec, plot);
+  if (spec.kind == PlotKind::trajectories) require_nothing_for_points(plot);
   return spec;
+}
+
+}  // namespace
+
+std::vector<PlotSpec> read_plots(const Entry& plot) {
+  if (!plot.node->is_array()) return {read_plot(plot)};
+  const auto tables = elements(plot);
+  if (tables.empty() || tables.size() > max_plots) refuse(plot, fmt::format("1 to {} plots are allowed", max_plots));
+  std::vector<PlotSpec> plots;
+  std::set<std::string> names;
+  for (const Entry& table : tables) {
+    plots.push_back(read_plot(table));
+    if (names.insert(plots.back().name).second) continue;
+    refuse(table, plots.back().name.empty() ? "only one plot may be without a name"
+                                            : fmt::format("there is another plot '{}'", plots.back().name));
+  }
+  const auto main = std::ranges::find(plots, "", &PlotSpec::name);
+  if (main != plots.end()) std::rotate(plots.begin(), main, main + 1);
+  return plots;
 }
 
 ManagerRole read_run(const Entry& run) {

@@ -6,8 +6,11 @@
 
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/sweep/where.hpp"
+#include "contacts.hpp"
 #include "spec_check.hpp"
+#include "spec_kinds.hpp"
 #include "spec_tables.hpp"
+#include "spec_values.hpp"
 
 namespace sigmasweep::spec {
 namespace {
@@ -17,10 +20,12 @@ constexpr std::uint64_t most_tuples = std::uint64_t{1} << 40;
 /// Each tuple is looked at when the spec is read: about ten seconds for 2^26 and a short expression.
 constexpr std::uint64_t most_filtered = std::uint64_t{1} << 26;
 constexpr std::size_t short_expression = 64;
+/// The same where a tuple takes 0.1 ms.
+constexpr std::uint64_t most_filtered_slowly = std::uint64_t{1} << 17;
 
 /// Keys of [sweep] that are no parameters.
-constexpr std::array<std::string_view, 4> other_keys{"geometry", "law", "zip", "where"};
-constexpr std::array<std::string_view, 1> geometries{"column"}, laws{"hooke"};
+constexpr std::array<std::string_view, 3> other_keys{"geometry", "zip", "where"};
+constexpr std::array<std::string_view, 1> geometries{"column"};
 
 const Field* parameter(std::string_view name) {
   for (const Field& field : parameter_fields())
@@ -114,7 +119,9 @@ Selection select(const Entry& entry, const Product& product) {
   const std::string expression = as_string(entry);
   try {
     Where where(expression, parameter_fields());
-    const std::uint64_t most = most_filtered * short_expression / std::max(short_expression, expression.size());
+    const std::uint64_t most = product.contacts().is_slow()
+        ? most_filtered_slowly
+        : most_filtered * short_expression / std::max(short_expression, expression.size());
     if (product.size() > most)
       refuse(entry, fmt::format("the axes multiply to {} tuples, with a 'where' of this length at most {} are allowed",
                                 product.size(), most));
@@ -139,21 +146,24 @@ Grid read_sweep(const Entry& sweep) {
   const Entry *zip = nullptr, *where = nullptr;
   for (const Entry& key : keys) {
     if (key.name == "geometry") as_one_of(key, geometries);
-    if (key.name == "law") as_one_of(key, laws);
     if (key.name == "zip") zip = &key;
     if (key.name == "where") where = &key;
   }
   const std::vector<Zip> zips = zip ? read_zips(*zip) : std::vector<Zip>{};
   const std::vector<Setting> settings = read_settings(keys, zips);
   if (zip) require_zippable(*zip, zips, settings);
-  require_complete(sweep, settings);
-  require_used(settings, zips);
   const Parameters base = base_of(settings);
-  require_finite_gap(settings, base);
   auto groups = groups_of(settings, zips);
+  const std::vector<Parameters> kinds = kinds_of(base, groups);
+  require_one_way(settings);
+  require_complete(sweep, settings, kinds);
+  require_used(settings, kinds);
+  require_diameters(settings, zips, base);
+  require_finite_gap(settings, base);
   require_countable(sweep, groups);
 
   Grid grid{Product(base, find(settings, "s0") ? Gap::s0 : Gap::sigma, std::move(groups)), {}, {}, {}};
+  require_pairs(settings, grid.product);
   for (const Setting& setting : settings) {
     if (!setting.is_axis) continue;
     grid.axes.push_back(setting.field);

@@ -20,7 +20,9 @@ struct Grid {
 };
 
 Grid read_sweep(const Entry& sweep);
-PlotSpec read_plot(const Entry& plot);
+std::vector<PlotSpec> read_plots(const Entry& plot);
 ManagerRole read_run(const Entry& run);
+/// With the rows that it chooses.
+TrajectorySpec read_trajectory(const Entry& trajectory, const Sweep& sweep);
 
 }  // namespace sigmasweep::spec

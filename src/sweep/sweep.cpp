@@ -16,7 +16,7 @@
 namespace sigmasweep {
 namespace {
 
-constexpr std::array<std::string_view, 4> tables{"title", "sweep", "plot", "run"};
+constexpr std::array<std::string_view, 5> tables{"title", "sweep", "plot", "run", "trajectory"};
 constexpr std::array<std::string_view, 7> fixed_columns{"v0", "tc", "s0", "sigma", "N", "epsilon", "method"};
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
@@ -43,11 +43,12 @@ std::vector<Field> columns_of(const spec::Grid& grid) {
 struct Sweep::Impl {
   std::string title, text;
   std::uint64_t hash;
-  PlotSpec plot;
+  std::vector<PlotSpec> plots;
   ManagerRole manager = ManagerRole::automatic;
   spec::Grid grid;
   std::vector<std::string> axes;
   std::vector<Field> columns;
+  std::optional<TrajectorySpec> trajectory;
 };
 
 Sweep::Sweep(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -55,24 +56,32 @@ Sweep::Sweep(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 Sweep Sweep::parse(std::string_view text, const std::string& file) {
   const toml::table document = parse_toml(text, file);
   std::string title;
-  PlotSpec plot;
+  std::vector<PlotSpec> plots(1);
   auto manager = ManagerRole::automatic;
   std::optional<spec::Grid> grid;
+  std::optional<spec::Entry> trajectory, plot;
   for (const spec::Entry& entry : spec::entries(document, file, "")) {
     if (entry.name == "title") title = spec::as_string(entry);
     else if (entry.name == "sweep") grid = spec::read_sweep(entry);
-    else if (entry.name == "plot") plot = spec::read_plot(entry);
+    else if (entry.name == "plot") plots = spec::read_plots(*(plot = entry));
     else if (entry.name == "run") manager = spec::read_run(entry);
+    else if (entry.name == "trajectory") trajectory = entry;
     else spec::refuse_unknown(entry, tables);
   }
   if (!grid) throw SpecError(fmt::format("{}: the table [sweep] is missing", file));
+  for (const PlotSpec& one : plots)
+    if (one.kind == PlotKind::trajectories && !trajectory)
+      spec::refuse(*plot, "kind = 'trajectories' needs a table [trajectory]");
 
   std::vector<std::string> axes;
   for (const Field* field : grid->axes) axes.emplace_back(field->name);
   auto columns = columns_of(*grid);
-  return Sweep(std::make_shared<const Impl>(Impl{std::move(title), std::string(text),
-                                                 XXH3_64bits(text.data(), text.size()), std::move(plot), manager,
-                                                 *std::move(grid), std::move(axes), std::move(columns)}));
+  const auto impl = std::make_shared<Impl>(Impl{std::move(title), std::string(text),
+                                                XXH3_64bits(text.data(), text.size()), std::move(plots), manager,
+                                                *std::move(grid), std::move(axes), std::move(columns), {}});
+  const Sweep sweep(impl);
+  if (trajectory) impl->trajectory = spec::read_trajectory(*trajectory, sweep);
+  return sweep;
 }
 
 Sweep Sweep::load(const std::string& path) {
@@ -87,8 +96,9 @@ Sweep Sweep::load(const std::string& path) {
 const std::string& Sweep::title() const { return impl_->title; }
 const std::string& Sweep::text() const { return impl_->text; }
 std::uint64_t Sweep::hash() const { return impl_->hash; }
-const PlotSpec& Sweep::plot() const { return impl_->plot; }
+const std::vector<PlotSpec>& Sweep::plots() const { return impl_->plots; }
 ManagerRole Sweep::manager() const { return impl_->manager; }
+const std::optional<TrajectorySpec>& Sweep::trajectory() const { return impl_->trajectory; }
 const std::vector<std::string>& Sweep::axes() const { return impl_->axes; }
 const std::vector<std::uint64_t>& Sweep::axis_sizes() const { return impl_->grid.axis_sizes; }
 const std::vector<Field>& Sweep::columns() const { return impl_->columns; }

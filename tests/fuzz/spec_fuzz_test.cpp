@@ -48,7 +48,34 @@ steps_per_tc = 100
 where = "!(N < 3) || integrator == exact ? abs(sigma - 1) < 5 : max(N, 2) >= 2"
 [run]
 manager = "auto"
+[[plot]]
+x = "N*tc"
+y = "(1 - eps_eff)/(1 - epsilon)"
+where = "N > 1"
+mean_over = "sigma"
+fit = { form = "power", from = 1, to = 10 }
+[[plot]]
+name = "b"
+y_scale = "log"
+lines = true
+guides = [{ slope = -0.5, label = "a", through = [1, 2.0] }, { y = 0.3 }, { slope = 1, where = "N == 2" }]
 )toml",
+    R"toml([sweep]
+v0 = { from = 0.01, to = 10, count = 3, scale = "log" }
+N = 3
+s0 = [0, 1e-6]
+law = ["hooke", "power"]
+beta = [0.5, 0.25]
+gamma = 0.5
+K_over_m = [2e9, 2e12]
+D_n = 1e3
+zip = [["law", "K_over_m"]]
+width = 1e-4
+random_separation = [true, false]
+seed = 3
+where = "law == power && random_separation == true || s0 == 0"
+)toml",
+    "[sweep]\nv0=1\nN=2\ns0=0\nmaterial=['steel','aluminium']\nlaw=['hertz','hooke']\n",
     "[sweep]\nmethod = 'ed'\nv0 = 1\nN = 3\nepsilon = 1\n"
     "sigma = { sample = 'uniform', from = 0, to = 1, count = 9 }\n"};
 

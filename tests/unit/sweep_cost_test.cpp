@@ -48,3 +48,24 @@ TEST(Cost, GrowsWithBeadsAndSteps) {
   EXPECT_GT(predicted_time(with(20, 1.0, Method::ed, Integrator::exact)),
             predicted_time(with(10, 1.0, Method::ed, Integrator::exact)));
 }
+
+TEST(Cost, GrowsWithWhatIsHarder) {
+  const Parameters plain = with(10, 1.0, Method::md, Integrator::exact);
+  Parameters nonlinear = plain, uneven = plain;
+  nonlinear.law = Law::hertz;
+  uneven.width = 1e-4;
+  EXPECT_GT(predicted_time(nonlinear), predicted_time(plain));
+  EXPECT_GT(predicted_time(uneven), predicted_time(plain));
+  const Parameters hard = with(10, 1.0, Method::ed, Integrator::exact);
+  Parameters tc_rule = hard, hard_hertz = hard;
+  tc_rule.ed_rule = EdRule::tc;
+  hard_hertz.law = Law::hertz;
+  EXPECT_GT(predicted_time(tc_rule), predicted_time(hard));
+  EXPECT_EQ(predicted_time(hard_hertz), predicted_time(hard));
+}
+
+TEST(Cost, OfRowsThatAreNoneIsANumberToo) {
+  Parameters p = with(10, std::nan(""), Method::md, Integrator::exact);
+  p.epsilon = std::nan("");
+  EXPECT_TRUE(std::isfinite(predicted_time(p)));
+}

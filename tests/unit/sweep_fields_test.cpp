@@ -31,8 +31,9 @@ std::string shown(std::string_view name, const Row& row) { return text(*find_fie
 
 TEST(Fields, ListsAreComplete) {
   EXPECT_EQ(names(parameter_fields()),
-            (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "wall", "integrator", "d",
-                                      "steps_per_tc", "tolerance"}));
+            (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "wall", "law", "beta",
+                                      "gamma", "K_over_m", "D_n", "material", "integrator", "d", "width",
+                                      "random_separation", "seed", "ed_rule", "steps_per_tc", "tolerance"}));
   EXPECT_EQ(names(result_fields()),
             (std::vector<std::string>{"eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "x_max", "contacts",
                                       "end", "status"}));
@@ -58,6 +59,14 @@ TEST(Fields, EachSitsAtItsMember) {
   EXPECT_EQ(shown("integrator", row), "verlet");
   EXPECT_EQ(shown("status", row), "event_limit");
   EXPECT_EQ(shown("end", row), "none");
+  row.parameters.law = Law::hertz_kuwabara_kono;
+  row.parameters.random_separation = Flag::yes;
+  row.parameters.ed_rule = EdRule::tc;
+  row.parameters.material = Material::aluminium;
+  EXPECT_EQ(shown("law", row), "hertz-kuwabara-kono");
+  EXPECT_EQ(shown("random_separation", row), "true");
+  EXPECT_EQ(shown("ed_rule", row), "tc");
+  EXPECT_EQ(shown("material", row), "aluminium");
 }
 
 TEST(Fields, NoTwoOverlap) {
@@ -109,7 +118,18 @@ TEST(ContentKey, ChangesWithEveryParameter) {
       [](Parameters& p) { p.method = Method::ed; },
       [](Parameters& p) { p.wall = Wall::matched; },
       [](Parameters& p) { p.integrator = Integrator::gear5; },
-      [](Parameters& p) { p.integrator = Integrator::rk4; }};
+      [](Parameters& p) { p.integrator = Integrator::rk4; },
+      [](Parameters& p) { p.law = Law::hertz; },
+      [](Parameters& p) { p.law = Law::power; },
+      [](Parameters& p) { p.beta = 5e-324; },
+      [](Parameters& p) { p.gamma = 5e-324; },
+      [](Parameters& p) { p.K_over_m = 5e-324; },
+      [](Parameters& p) { p.D_n = 5e-324; },
+      [](Parameters& p) { p.material = Material::steel; },
+      [](Parameters& p) { p.width = 5e-324; },
+      [](Parameters& p) { p.seed = 1; },
+      [](Parameters& p) { p.ed_rule = EdRule::tc; },
+      [](Parameters& p) { p.random_separation = Flag::yes; }};
   for (const auto& change : changes) {
     Parameters changed;
     change(changed);

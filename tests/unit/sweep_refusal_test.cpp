@@ -92,7 +92,9 @@ TEST(Refusal, UnknownNames) {
             "bad.toml:3: sweep.integrator = \"gear\": must be 'exact', 'gear5', 'verlet' or 'rk4' "
             "(did you mean 'gear5'?)");
   EXPECT_EQ(alone("geometry = \"lattice\""), "bad.toml:3: sweep.geometry = \"lattice\": must be 'column'");
-  EXPECT_EQ(alone("law = \"hertz\""), "bad.toml:3: sweep.law = \"hertz\": must be 'hooke'");
+  EXPECT_EQ(alone("law = \"herz\""),
+            "bad.toml:3: sweep.law = \"herz\": must be 'hooke', 'hertz', 'hertz-kuwabara-kono', 'taguchi' or 'power' "
+            "(did you mean 'hertz'?)");
   expect_part(table("[plot]\ny = \"eps\""),
               "bad.toml:8: plot.y = \"eps\": is no field of a row (did you mean 'epsilon'?)");
   expect_part(table("[plot]\nseries = [\"v0\",\n\"tcc\"]"), "bad.toml:9: plot.series = \"tcc\": is no field");
@@ -134,7 +136,8 @@ TEST(Refusal, RangesAndSamples) {
 TEST(Refusal, MissingParameters) {
   EXPECT_EQ(refusal("title = \"x\"\n"), "bad.toml: the table [sweep] is missing");
   EXPECT_EQ(refusal("\n[sweep]\nv0 = 1\ntc = 1\nepsilon = 1\nsigma = 1\n"),
-            "bad.toml:2: sweep: 'N' is missing: v0, tc, N, epsilon and one of s0 and sigma are needed");
+            "bad.toml:2: sweep: 'N' is missing: v0, N, one of s0 and sigma, and tc and epsilon (or instead of these "
+            "K_over_m and D_n, or a material) are needed");
   EXPECT_EQ(with(""), "bad.toml:1: sweep: one of 's0' and 'sigma' is missing");
   EXPECT_EQ(with("s0 = 1e-4\nsigma = 1"), "bad.toml:3: sweep.sigma: give s0 or sigma, not both: sigma = s0/(v0 tc)");
   const std::string hard = "[sweep]\nv0 = 1\nN = 3\nepsilon = 1\nsigma = 1\nmethod = ";

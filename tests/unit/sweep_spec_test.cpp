@@ -55,11 +55,11 @@ TEST(Spec, Figure2a) {
   const Sweep sweep = Sweep::parse(fig2a, "fig2a.toml");
   EXPECT_EQ(sweep.title(), "Universal sigma-curve, Fig. 2(a)");
   EXPECT_EQ(sweep.axes(), (std::vector<std::string>{"method", "v0", "tc", "s0"}));
-  EXPECT_EQ(sweep.plot().x, "sigma");
-  EXPECT_EQ(sweep.plot().y, "eps_eff");
-  EXPECT_TRUE(sweep.plot().x_log);
-  EXPECT_FALSE(sweep.plot().y_log);
-  EXPECT_EQ(sweep.plot().series, (std::vector<std::string>{"v0", "tc"}));
+  EXPECT_EQ(sweep.plots()[0].x, "sigma");
+  EXPECT_EQ(sweep.plots()[0].y, "eps_eff");
+  EXPECT_TRUE(sweep.plots()[0].x_log);
+  EXPECT_FALSE(sweep.plots()[0].y_log);
+  EXPECT_EQ(sweep.plots()[0].series, (std::vector<std::string>{"v0", "tc"}));
 
   // What the axes and `where` mean, spelt out: method, then (v0, tc), then s0 fastest.
   const double v0[] = {14.0, 1.0, 0.2, 0.05, 0.008}, tc[] = {2.5e-6, 2e-5, 1e-4, 5e-4, 2.2e-3};
@@ -248,16 +248,16 @@ TEST(Spec, ColumnsAreFixedPlusAxesPlusResults) {
 TEST(Spec, PlotAndRun) {
   const Sweep plain = with("sigma = 1");
   EXPECT_EQ(plain.manager(), ManagerRole::automatic);
-  EXPECT_EQ(plain.plot().x, "sigma");
-  EXPECT_TRUE(plain.plot().series.empty());
+  EXPECT_EQ(plain.plots()[0].x, "sigma");
+  EXPECT_TRUE(plain.plots()[0].series.empty());
   const Sweep other = with("sigma = 1\n[run]\nmanager = \"dedicated\"\n[plot]\nx = \"N\"\ny = \"run_time\"\nx_scale = "
                            "\"linear\"\ny_scale = \"log\"\ntitle = \"T\"\n");
   EXPECT_EQ(other.manager(), ManagerRole::dedicated);
-  EXPECT_EQ(other.plot().x, "N");
-  EXPECT_EQ(other.plot().y, "run_time");
-  EXPECT_FALSE(other.plot().x_log);
-  EXPECT_TRUE(other.plot().y_log);
-  EXPECT_EQ(other.plot().title, "T");
+  EXPECT_EQ(other.plots()[0].x, "N");
+  EXPECT_EQ(other.plots()[0].y, "run_time");
+  EXPECT_FALSE(other.plots()[0].x_log);
+  EXPECT_TRUE(other.plots()[0].y_log);
+  EXPECT_EQ(other.plots()[0].title, "T");
 }
 
 TEST(Spec, LoadsFilesAndSaysWhichIsMissing) {

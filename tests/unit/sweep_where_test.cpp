@@ -57,6 +57,28 @@ TEST(Where, NamesOfEnumerations) {
   EXPECT_TRUE(holds("wall == paper"));
 }
 
+TEST(Where, NamesThatMeanSeveralThings) {
+  Row row = sample_row();
+  row.parameters.ed_rule = EdRule::tc;
+  row.parameters.tc = 1e-4;
+  row.parameters.law = Law::hertz_kuwabara_kono;
+  row.parameters.random_separation = Flag::yes;
+  row.collision.end = End::separated;
+  std::vector<Field> all(parameter_fields().begin(), parameter_fields().end());
+  all.insert(all.end(), result_fields().begin(), result_fields().end());
+  const auto is = [&](const std::string& expression) { return Where(expression, all)(row); };
+  EXPECT_TRUE(is("ed_rule == tc && tc > 1e-5"));   // a value of ed_rule, and the contact time
+  EXPECT_FALSE(is("ed_rule != tc || tc > 1"));
+  EXPECT_TRUE(is("material == none && end != none"));  // of two enumerations
+  EXPECT_TRUE(is("random_separation == true"));
+  EXPECT_FALSE(is("random_separation == false"));
+  EXPECT_TRUE(is("law == hertz-kuwabara-kono"));
+  EXPECT_FALSE(is("law == hertz"));
+  EXPECT_TRUE(is("law != power"));
+  EXPECT_THROW(is("tc == lrv"), UsageError);
+  EXPECT_THROW(is("law == steel"), UsageError);
+}
+
 TEST(Where, CanUseAnyFields) {
   std::vector<Field> all(parameter_fields().begin(), parameter_fields().end());
   all.insert(all.end(), result_fields().begin(), result_fields().end());
@@ -105,7 +127,7 @@ TEST(Where, RefusesAssignmentListsAndUnknownNames) {
   EXPECT_EQ(refusal("sigma > 1, N > 1"), "it must be one expression, without ','");
   EXPECT_EQ(refusal("sigm > 1"), "unknown name 'sigm' (did you mean 'sigma'?)");
   EXPECT_EQ(refusal("method == mdd"), "unknown name 'mdd' (did you mean 'md'?)");
-  EXPECT_NE(refusal("qwertz > 1").find("unknown name 'qwertz'; known: v0, tc,"), std::string::npos);
+  EXPECT_NE(refusal("xyzzy > 1").find("unknown name 'xyzzy'; known: v0, tc,"), std::string::npos);
   EXPECT_NE(refusal("eps_eff > 0.5").find("unknown name 'eps_eff'"), std::string::npos);  // no result here
   EXPECT_NE(refusal(""), "accepted");
   EXPECT_NE(refusal("sigma >"), "accepted");

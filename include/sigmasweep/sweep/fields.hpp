@@ -13,7 +13,7 @@
 namespace sigmasweep {
 
 enum class FieldType : std::uint8_t {
-  real, integer, unsigned_integer, integer32, method, wall, integrator, end, status
+  real, integer, unsigned_integer, integer32, method, wall, integrator, end, status, law, material, ed_rule, flag
 };
 
 struct Field {

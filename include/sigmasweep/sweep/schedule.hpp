@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,8 +18,9 @@ class Schedule {
   /// or a prediction is not a finite number > 0.
   Schedule(std::vector<std::uint64_t> rows, std::vector<double> predicted_seconds, int ranks,
            double min_chunk_seconds = 1e-3, double max_chunk_seconds = 0.25);
-  /// The next chunk; empty when all are handed out. Valid until the Schedule is destroyed.
-  std::span<const std::uint64_t> next();
+  /// The next chunk that is predicted to take at most so long; empty when there is none. Longer rows are passed over,
+  /// and looked at again after the others. Valid until the Schedule is destroyed.
+  std::span<const std::uint64_t> next(double most_seconds = std::numeric_limits<double>::infinity());
   double total_seconds() const;
   double longest_seconds() const;
   /// max(total/ranks, longest): no schedule ends earlier.
@@ -28,12 +30,17 @@ class Schedule {
   double predicted_makespan() const;
 
  private:
-  /// One past the last row of the chunk that begins at `first`; takes the chunk's cost from `left`.
-  std::size_t chunk_end(std::size_t first, double& left) const;
+  struct Range {
+    std::size_t first, end;
+  };
+  /// One past the last row of the chunk that begins at rows.first; takes the chunk's cost from `left`.
+  std::size_t chunk_end(Range rows, double& left, double most_seconds) const;
+  void pass_over(Range rows);
 
   std::vector<std::uint64_t> rows_;  ///< in the order of handing out
   std::vector<double> seconds_;      ///< of rows_
-  std::size_t next_ = 0;
+  Range to_do_{0, 0};               ///< to be handed out, and then
+  std::vector<Range> passed_over_;  ///< these
   int ranks_;
   double min_chunk_, max_chunk_, total_ = 0.0, longest_ = 0.0, left_ = 0.0;
 };

@@ -1,22 +1,58 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sigmasweep/sweep/fields.hpp"
 #include "sigmasweep/sweep/row.hpp"
+#include "sigmasweep/sweep/trajectory_spec.hpp"
 
 namespace sigmasweep {
 
-/// [plot] of a spec.
+/// A straight line fitted to each series by least squares, all points alike.
+struct FitSpec {
+  enum class Form { power, line };  ///< y = A x^b, fitted in the logarithms; y = a + b x
+  Form form = Form::power;
+  double from = -std::numeric_limits<double>::infinity();  ///< the points with from <= x <= to
+  double to = std::numeric_limits<double>::infinity();
+};
+
+/// A dashed line to compare with: horizontal at y, or with a slope (that of log y against log x where both axes are
+/// logarithmic) through a point.
+struct GuideSpec {
+  std::string label;
+  std::optional<double> y{};                      ///< horizontal; else:
+  double slope = 0.0;
+  std::optional<std::array<double, 2>> through{}; ///< the point; else the last one (largest x) of
+  std::string where{};                            ///< the rows drawn for which this holds; empty: of all
+  double from = -std::numeric_limits<double>::infinity();  ///< drawn over this range of x only
+  double to = std::numeric_limits<double>::infinity();
+};
+
+/// What a plot shows: rows as points, or the trajectories of rows, a panel each (such a plot has nothing else but name,
+/// title and where).
+enum class PlotKind { points, trajectories };
+
+/// [plot] of a spec, or one of several [[plot]].
 struct PlotSpec {
-  std::string x = "sigma", y = "eps_eff";
+  std::string name;                 ///< letters, digits, '-', '_'; empty: none
+  PlotKind kind = PlotKind::points;
+  std::string x = "sigma", y = "eps_eff";  ///< fields, or expressions over them (see Formula)
+  std::string x_label, y_label;     ///< empty: made from x and y
   bool x_log = true, y_log = false;
   std::vector<std::string> series;  ///< names of fields: one curve per distinct combination
   std::string title;                ///< empty: the sweep's title
+  std::string where;                ///< a condition on the rows drawn (see Where); empty: all
+  std::vector<std::string> mean_over;  ///< fields: rows of a series that agree in x but for these are averaged
+  bool lines = false;               ///< the points of a series joined
+  std::optional<FitSpec> fit;
+  std::vector<GuideSpec> guides;
 };
 
 /// Whether the manager rank also computes. automatic: yes, unless there are many ranks.
@@ -33,14 +69,20 @@ enum class ManagerRole { automatic, computes, dedicated };
 /// one sequence; a seed other than 0 shifts it (digitally). `scale` also makes sobol and latin-hypercube logarithmic.
 /// Whole numbers (N): a linear range must land on them, a logarithmic one is rounded and drops what repeats.
 ///
-/// v0, tc, N, epsilon and one of s0 and sigma must be given, everything else has the defaults of Parameters. Where all
-/// tuples are hard spheres tc may be left out: their contact time is zero, and the default only gives sigma its unit.
-/// A parameter that no tuple uses (steps_per_tc without a fixed-step integrator, ...) is an error. `zip` names groups
-/// of axes that advance together, `where` a condition on the parameters (see Where). geometry = "column" and
-/// law = "hooke" are the only ones.
+/// Enumerations (method, law, ...) are names, random_separation is true or false.
+///
+/// v0, N and one of s0 and sigma must be given, and stiffness and damping in one of three ways: tc and epsilon;
+/// K_over_m and D_n (default 0); material = "steel" | "aluminium", which has its own d, too. With the last two tc and
+/// epsilon follow at each v0. Everything else has the defaults of Parameters, but law = "power" needs beta and gamma.
+/// Where all tuples are hard spheres with ed_rule = "lrv" tc may be left out: their contact time is zero, and the
+/// default only gives sigma its unit. A parameter that no tuple uses (steps_per_tc without a fixed-step integrator, a
+/// seed where nothing is random, ...; see usage.hpp) is an error. So is a pair that is too damped to come apart, but in
+/// very large sweeps only where an axis has its extremes; elsewhere its row fails. `zip` names groups of axes that
+/// advance together, `where` a condition on the parameters (see Where). geometry = "column" is the only one.
 ///
 /// Index -> tuple is arithmetic: up to 2^40 tuples cost no memory. With `where` up to 2^26 tuples (fewer if it is
-/// longer than 64 characters) are looked at when the spec is read, and one bit each is kept.
+/// longer than 64 characters; 2^17 if there are more than 2^13 different nonlinear pairs of a given stiffness) are
+/// looked at when the spec is read, and one bit each is kept.
 class Sweep {
  public:
   /// From TOML text; `file` is only for messages. Throws SpecError with one message: file, line, key, value, what is
@@ -52,8 +94,10 @@ class Sweep {
   const std::string& title() const;
   const std::string& text() const;       ///< the spec's whole text
   std::uint64_t hash() const;            ///< xxh3 of the text
-  const PlotSpec& plot() const;
+  /// At least one. The first is the main one: [plot], or of several [[plot]] the one without a name, or the first.
+  const std::vector<PlotSpec>& plots() const;
   ManagerRole manager() const;
+  const std::optional<TrajectorySpec>& trajectory() const;  ///< if the spec has one
 
   std::uint64_t size() const;            ///< number of rows, at least 1
   /// Parameters of a row, s0 and sigma both filled in. Throws std::out_of_range. Safe from several threads at once.

@@ -12,7 +12,9 @@ namespace sigmasweep {
 /// A condition on rows: an expression over the fields' names and the enumerators' names, such as
 /// `sigma > 1e-4 && (method == md || N <= 10)`. Operators || && ! == != < <= > >= + - * / ^ ?: and muParser's
 /// functions (abs, sqrt, exp, ln, log10, min, max, ...). Types are checked: it must be boolean as a whole, numbers are
-/// no truth values, and an enumeration compares only with its own names.
+/// no truth values, and an enumeration compares only with its own names. Right after a field that is an enumeration and
+/// == or != a name is one of its values, whatever else is called so (`ed_rule == tc && tc > 1e-5`, `material == none`)
+/// and whatever it is made of (`law == hertz-kuwabara-kono`, `random_separation == true`).
 class Where {
  public:
   static constexpr std::size_t max_length = 1024;

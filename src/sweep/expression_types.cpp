@@ -1,4 +1,4 @@
-#include "where_types.hpp"
+#include "expression_types.hpp"
 
 #include <string_view>
 #include <vector>
@@ -45,9 +45,12 @@ class Checker {
     }
   }
 
-  void finish() {
+  void finish(Wanted wanted) {
     if (types_.size() != 1) throw UsageError("it is not one expression");
-    if (types_.back().kind != Kind::truth) throw UsageError("it must be boolean, such as 'sigma > 1'");
+    const Kind kind = types_.back().kind;
+    if (wanted == Wanted::truth && kind != Kind::truth) throw UsageError("it must be boolean, such as 'sigma > 1'");
+    if (wanted == Wanted::number && kind != Kind::number)
+      throw UsageError("it must be a number, such as '1 - eps_eff'");
   }
 
  private:
@@ -113,10 +116,11 @@ class Checker {
 
 double logical_not(double value) { return value == 0.0 ? 1.0 : 0.0; }
 
-void require_boolean(const mu::ParserByteCode& code, const std::function<FieldType(const double*)>& type_of_variable) {
+void require(Wanted wanted, const mu::ParserByteCode& code,
+             const std::function<FieldType(const double*)>& type_of_variable) {
   Checker checker(type_of_variable);
   for (std::size_t i = 0; i < code.GetSize(); ++i) checker.apply(code.GetBase()[i]);
-  checker.finish();
+  checker.finish(wanted);
 }
 
 }  // namespace sigmasweep::expression_types

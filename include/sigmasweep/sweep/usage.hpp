@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+#include "sigmasweep/sweep/fields.hpp"
+
+/// Which parameters count for a tuple: the one list of rules for what a spec may give and what repeats a row.
+namespace sigmasweep {
+
+/// Whether the tuple depends on this parameter as a given one: not if its solver does not look at it, nor if it follows
+/// from others (tc and epsilon from K_over_m, these from the material).
+bool is_used(const Field& parameter, const Parameters& tuple);
+
+/// What a tuple must have to use it, for messages: "method = 'md'"; empty if every one does.
+std::string_view needed_for(const Field& parameter);
+
+}  // namespace sigmasweep

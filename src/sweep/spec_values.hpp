@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "sigmasweep/sweep/product.hpp"
+#include "spec_check.hpp"
+
+/// Checks of what the values of several settings mean together. All throw SpecError.
+namespace sigmasweep::spec {
+
+/// Diameters are positive: width is not above 1.9 d anywhere.
+void require_diameters(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base);
+
+/// Where tc is given: s0 and sigma are both finite for all v0, tc that the axes span.
+void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base);
+
+/// Where tc follows from the stiffness: every pair comes apart again, and s0 and sigma are finite. Up to about 10^4
+/// pairs (10^5 for the linear law) all are looked at; of more than that the extremes of each axis, and what is wrong
+/// in between is left to the row.
+void require_pairs(const std::vector<Setting>& settings, const Product& product);
+
+}  // namespace sigmasweep::spec
