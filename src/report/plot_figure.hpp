@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "plot_fit.hpp"
 #include "sigmasweep/sweep/row.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
@@ -12,12 +14,22 @@ namespace sigmasweep::plot {
 
 struct Point {
   double x, y;
+  double deviation = 0.0;  ///< standard deviation of y, for an error bar; 0: none
 };
 
 struct Curve {
   std::string label;  ///< for the key, in gnuplot's enhanced text; empty: none
-  bool line = false;  ///< hard spheres: a dashed line; soft ones: symbols
-  std::vector<Point> points;
+  std::string name;   ///< what the series is, as plain text
+  bool line = false;  ///< hard spheres beside soft ones: a dashed line; else symbols
+  std::vector<Point> points{};
+  std::vector<Point> path{};  ///< the points to be joined, from left to right; empty: none
+  std::optional<Fit> fit{};
+};
+
+/// A dashed line to compare with.
+struct Guide {
+  std::string label;  ///< enhanced text
+  Point from, to;
 };
 
 struct Axis {
@@ -28,16 +40,19 @@ struct Axis {
 
 struct Figure {
   std::string title;  ///< as the user wrote it
-  std::string note;   ///< what is not drawn; enhanced text
+  std::string note;   ///< what is not drawn, what is averaged; enhanced text
   Axis x, y;
   std::vector<Curve> curves;
+  std::vector<Guide> guides;
 };
 
 /// Where on the axis `value` is: 0 at its beginning, 1 at its end.
 double fraction(const Axis& axis, double value);
+/// The value there.
+double value_at(const Axis& axis, double fraction);
 
 /// The rows that can be drawn, sorted into curves in the order in which they first appear.
-/// Throws UsageError for a field that is not there or is not a number.
+/// Throws UsageError for a field that is not there or is not a number, and for a bad expression.
 Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::string& title);
 
 }  // namespace sigmasweep::plot

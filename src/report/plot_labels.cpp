@@ -87,6 +87,40 @@ std::string axis_label(const Field& field) {
   return label;
 }
 
+std::string expression_label(std::string_view expression) {
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  const auto is_part = [&](char c) { return is_letter(c) || c == '.'; };
+  std::string out;
+  char before = 0;  // the last character that is no space
+  for (std::size_t i = 0; i < expression.size();) {
+    const char c = expression[i];
+    const bool raised = before == '^';
+    if (std::isspace(static_cast<unsigned char>(c))) {
+      ++i;
+      continue;
+    }
+    if (is_part(c)) {
+      std::size_t end = i;
+      while (end < expression.size() && is_part(expression[end])) ++end;
+      const std::string word(expression.substr(i, end - i));
+      const Field* field = find_field(word);
+      const std::string shown = field ? symbol_of(*field) : escape_markup(word);
+      out += raised ? "{" + shown + "}" : shown;
+      i = end - 1;
+    } else if (c == '+' || c == '-') {
+      const bool binary = is_part(before) || before == ')';
+      const std::string sign = c == '-' ? "−" : "+";
+      out += binary ? " " + sign + " " : raised ? "{" + sign + "}" : sign;
+    } else if (c == '*') {
+      out += "\u2009";  // a thin space
+    } else {
+      out += c == '^' ? "^" : escape_markup(std::string(1, c));
+    }
+    before = expression[i++];
+  }
+  return out;
+}
+
 std::string value_label(const Field& field, const Row& row) {
   if (field.type == FieldType::method) return row.parameters.method == Method::ed ? "ED" : "MD";
   if (!is_number(field.type)) return escape_markup(field.name) + " " + escape_markup(text(field, row));

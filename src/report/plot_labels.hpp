@@ -13,6 +13,9 @@ std::string symbol_of(const Field& field);
 /// For an axis: symbol, meaning where it is a definition, and unit.
 std::string axis_label(const Field& field);
 
+/// An expression over fields as people write it: symbols for names, "−" for "-", "N t_c" for "N*tc", powers raised.
+std::string expression_label(std::string_view expression);
+
 /// For the key: "v_0 = 14 m/s".
 std::string value_label(const Field& field, const Row& row);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sigmasweep/report/progress.hpp"
+#include "sigmasweep/scene/law.hpp"
 #include "sigmasweep/scene/names.hpp"
 
 namespace sigmasweep {
@@ -19,7 +20,9 @@ constexpr double same_sigma = 1e-12;  // a few hundred roundings: s0/(v0 tc) of 
 /// What must be equal, beside sigma, for two rows to be the same point.
 auto kind(const Parameters& p) {
   const double accuracy = p.integrator == Integrator::exact ? p.tolerance : p.steps_per_tc;
-  return std::tuple(p.N, p.epsilon, p.method, p.wall, p.integrator, accuracy);
+  const auto [beta, gamma] = exponents(p);
+  return std::tuple(p.N, p.epsilon, p.method, p.wall, p.integrator, accuracy, beta, gamma, p.ed_rule, p.width / p.d,
+                    p.random_separation, p.seed);
 }
 
 bool same_point(const Parameters& a, const Parameters& b) {

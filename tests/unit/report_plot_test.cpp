@@ -37,7 +37,7 @@ PlotSpec by_pair() {
 
 std::size_t points(const plot::Figure& figure) {
   std::size_t n = 0;
-  for (const auto& curve : figure.curves) n += curve.points.size();
+  for (const auto& curve : figure.curves) n += curve.line ? curve.path.size() : curve.points.size();
   return n;
 }
 
@@ -50,8 +50,8 @@ TEST(PlotFigure, HardSpheresAreOneLineWhateverTheSeries) {
   EXPECT_EQ(figure.curves[1].label, "{/:Italic v}_0 = 2 m/s, {/:Italic t}_c = 10^{-5} s");
   EXPECT_TRUE(figure.curves[2].line);
   EXPECT_EQ(figure.curves[2].label, "ED (LRV)");
-  ASSERT_EQ(figure.curves[2].points.size(), 2u);
-  EXPECT_LT(figure.curves[2].points[0].x, figure.curves[2].points[1].x);  // a line goes from left to right
+  ASSERT_EQ(figure.curves[2].path.size(), 2u);
+  EXPECT_LT(figure.curves[2].path[0].x, figure.curves[2].path[1].x);  // a line goes from left to right
   EXPECT_EQ(figure.note, "");
   EXPECT_EQ(figure.title, "title");
 }

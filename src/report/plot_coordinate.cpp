@@ -1,0 +1,55 @@
+#include "plot_coordinate.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cctype>
+
+#include "plot_labels.hpp"
+#include "sigmasweep/errors.hpp"
+#include "sigmasweep/sweep/spelling.hpp"
+
+namespace sigmasweep::plot {
+namespace {
+
+Formula formula_of(const std::string& text) {
+  const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  if (std::ranges::all_of(text, is_letter) && !enumerators(field_named(text).type).empty())
+    throw UsageError(fmt::format("plot: '{}' is not a number and cannot be an axis", text));
+  try {
+    return Formula(text, known_fields());
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("plot: '{}': {}", text, error.what()));
+  }
+}
+
+}  // namespace
+
+std::vector<Field> known_fields() {
+  std::vector<Field> fields;
+  for (const auto part : {parameter_fields(), result_fields(), timing_fields()})
+    fields.insert(fields.end(), part.begin(), part.end());
+  return fields;
+}
+
+const Field& field_named(const std::string& name) {
+  if (const Field* field = find_field(name)) return *field;
+  std::vector<std::string_view> known;
+  for (const auto part : {parameter_fields(), result_fields(), timing_fields()})
+    for (const Field& field : part) known.push_back(field.name);
+  throw UsageError(fmt::format("plot: there is no field '{}'{}", name, hint(name, known)));
+}
+
+Coordinate::Coordinate(const std::string& text) : text_(text), field_(find_field(text)), formula_(formula_of(text)) {}
+
+std::string Coordinate::axis_label() const { return field_ ? plot::axis_label(*field_) : symbol(); }
+std::string Coordinate::symbol() const { return field_ ? symbol_of(*field_) : expression_label(text_); }
+
+bool Coordinate::uses(std::string_view name) const {
+  return std::ranges::any_of(formula_.used(), [&](const Field& field) { return field.name == name; });
+}
+
+bool Coordinate::has_unit() const {
+  return std::ranges::any_of(formula_.used(), [](const Field& field) { return field.unit != "1"; });
+}
+
+}  // namespace sigmasweep::plot

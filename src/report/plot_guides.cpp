@@ -1,0 +1,59 @@
+#include "plot_guides.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "plot_coordinate.hpp"
+#include "sigmasweep/errors.hpp"
+
+namespace sigmasweep::plot {
+namespace {
+
+/// The point of the curve at x, means included.
+Point point_at(const Curve& curve, double x) {
+  const auto& points = curve.line ? curve.path : curve.points;
+  return *std::ranges::min_element(points, {}, [x](const Point& p) { return std::abs(p.x - x); });
+}
+
+}  // namespace
+
+Guides::Guides(const PlotSpec& spec) {
+  for (const GuideSpec& guide : spec.guides) {
+    guides_.push_back({guide, std::nullopt, std::nullopt});
+    if (!guide.where.empty()) guides_.back().where.emplace(guide.where, known_fields());
+    if (!guide.y && spec.x_log != spec.y_log)
+      throw UsageError("plot: a guide with a slope needs two logarithmic axes, or two linear ones");
+  }
+}
+
+void Guides::see(const Row& row, std::size_t curve, double x) {
+  for (Anchored& guide : guides_) {
+    if (guide.spec.y || guide.spec.through || (guide.last && guide.last->second >= x)) continue;
+    if (!guide.where || (*guide.where)(row)) guide.last = {curve, x};
+  }
+}
+
+std::vector<Guide> Guides::take(const Figure& figure) const {
+  std::vector<Guide> lines;
+  for (const Anchored& guide : guides_) {
+    const GuideSpec& spec = guide.spec;
+    const double from = std::max(spec.from, figure.x.from), to = std::min(spec.to, figure.x.to);
+    if (!(from < to)) continue;
+    Point anchor{from, spec.y.value_or(0.0)};
+    if (spec.through)
+      anchor = {(*spec.through)[0], (*spec.through)[1]};
+    else if (guide.last)
+      anchor = point_at(figure.curves[guide.last->first], guide.last->second);
+    else if (!spec.y)
+      continue;
+    const auto y = [&](double x) {
+      if (spec.y) return *spec.y;
+      return figure.x.log ? anchor.y * std::pow(x / anchor.x, spec.slope) : anchor.y + spec.slope * (x - anchor.x);
+    };
+    lines.push_back({spec.label, {from, y(from)}, {to, y(to)}});
+  }
+  return lines;
+}
+
+}  // namespace sigmasweep::plot
