@@ -1,6 +1,7 @@
 #include "sigmasweep/comm/world.hpp"
 
 #include <mpi.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <boost/mpi/exception.hpp>
@@ -76,6 +77,27 @@ void* World::native() const { return static_cast<MPI_Comm>(impl_->communicator);
 std::int64_t World::broadcast(std::int64_t number) const {
   check(MPI_Bcast(&number, 1, MPI_INT64_T, 0, impl_->communicator), "MPI_Bcast");
   return number;
+}
+
+double World::broadcast(double number) const {
+  check(MPI_Bcast(&number, 1, MPI_DOUBLE, 0, impl_->communicator), "MPI_Bcast");
+  return number;
+}
+
+double World::crowding() const {
+  cpu_set_t cpus;  // that any rank of this machine may use; which of them each may use is a matter of binding
+  CPU_ZERO(&cpus);
+  if (sched_getaffinity(0, sizeof cpus, &cpus) != 0) CPU_ZERO(&cpus);  // more than 1024 processors
+  MPI_Comm machine = MPI_COMM_NULL;
+  check(MPI_Comm_split_type(impl_->communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine),
+        "MPI_Comm_split_type");
+  int ranks = 0;
+  check(MPI_Comm_size(machine, &ranks), "MPI_Comm_size");
+  check(MPI_Allreduce(MPI_IN_PLACE, &cpus, sizeof cpus, MPI_BYTE, MPI_BOR, machine), "MPI_Allreduce");
+  check(MPI_Comm_free(&machine), "MPI_Comm_free");
+  double crowding = CPU_COUNT(&cpus) == 0 ? 1.0 : std::max(1.0, double(ranks) / CPU_COUNT(&cpus));
+  check(MPI_Allreduce(MPI_IN_PLACE, &crowding, 1, MPI_DOUBLE, MPI_MAX, impl_->communicator), "MPI_Allreduce");
+  return crowding;
 }
 
 std::string World::broadcast(std::string text) const {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "duration.hpp"
 #include "sigmasweep/sweep/fields.hpp"
 
 namespace sigmasweep {
@@ -42,6 +43,32 @@ std::string type_name_of(const Field& field) {
   return field.type == FieldType::real ? "NUMBER" : "INTEGER";
 }
 
+/// An option whose value `parse` reads into `target`; it returns nothing for what it cannot read.
+template <class Parse, class Target>
+CLI::Option* add_parsed(CLI::App& command, const std::string& name, const std::string& meaning, Parse parse,
+                        Target& target) {
+  return command.add_option_function<std::string>(
+      name,
+      [name, parse, &target](const std::string& typed) {
+        const auto value = parse(typed);
+        if (!value) throw CLI::ValidationError(name, fmt::format("'{}' is not of the form expected", typed));
+        target = *value;
+      },
+      meaning);
+}
+
+/// "3/8"
+std::optional<Slice> parse_slice(const std::string& typed) {
+  constexpr std::uint64_t most = 1'000'000;
+  Slice slice;
+  const char *begin = typed.data(), *end = begin + typed.size();
+  const auto [slash, bad_index] = std::from_chars(begin, end, slice.index);
+  if (bad_index != std::errc() || slash == end || *slash != '/') return std::nullopt;
+  const auto [rest, bad_count] = std::from_chars(slash + 1, end, slice.count);
+  if (bad_count != std::errc() || rest != end || slice.index >= slice.count || slice.count > most) return std::nullopt;
+  return slice;
+}
+
 void add_run(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Run a sweep, or go on with it; alone or under mpirun");
@@ -50,16 +77,46 @@ void add_run(CLI::App& app, Invocation& invocation) {
       ->type_name("TABLE.h5");
   command->add_flag("--fresh", options->fresh, "Start again, whatever is there");
   command->add_flag("-q,--quiet", options->quiet, "Neither progress nor summary");
-  command->add_option("--max-seconds", options->max_seconds, "Stop on purpose after this long (exit code 75)")
-      ->check(CLI::Range(0.0, 1e9).description(""))
-      ->type_name("S");
+  add_parsed(*command, "--max-time", "Stop on purpose (exit code 75) to be through by then: seconds or [D-]HH:MM:SS",
+             parse_duration, options->max_seconds)
+      ->type_name("T");
+  add_parsed(*command, "--max-seconds", "", parse_duration, options->max_seconds)->group("");
+  add_parsed(*command, "--slice", "Only slice I (from 0) of N equal ones, to be joined by 'sigmasweep merge'",
+             parse_slice, options->slice)
+      ->type_name("I/N");
+  command->add_flag("--extend", options->extend,
+                    "The table there is of an earlier spec: take over the rows that are the same, then replace it");
+  command->add_option("--reuse", options->reuse, "Take over rows that are the same from this table (several: repeat it)")
+      ->type_name("OTHER.h5")
+      ->allow_extra_args(false);
   command->footer(
       "\nA run that was stopped or killed goes on where it was when it is started again with the same spec.\n"
-      "Rows do not depend on the number of ranks.\n\n"
+      "Rows do not depend on the number of ranks. In a Slurm job the run also stops in time for the end of the job.\n\n"
       "  mpirun -n 4 sigmasweep run fig2a.toml -o fig2a.h5");
   command->callback([&invocation, options] {
     invocation.command = [&invocation, options] {
       return run_on_all_ranks(invocation.argc, invocation.argv, *options);
+    };
+  });
+}
+
+void add_merge(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<MergeOptions>();
+  CLI::App* command = app.add_subcommand("merge", "Join the tables of a sweep's slices");
+  command->add_option("output", options->output, "The table to make")->required()->type_name("TABLE.h5");
+  command->add_option("parts", options->parts, "Tables of the same spec that have all its rows together")
+      ->required()
+      ->type_name("PART.h5...");
+  command->add_flag("--fresh", options->fresh, "Replace what is there");
+  command->add_flag("-q,--quiet", options->quiet, "No summary");
+  command->footer(
+      "\nThe results are those of a run that was not divided, bit for bit. The parts are left as they are.\n\n"
+      "  sigmasweep run fig2a.toml --slice 0/2 -o part0.h5\n"
+      "  sigmasweep run fig2a.toml --slice 1/2 -o part1.h5\n"
+      "  sigmasweep merge fig2a.h5 part0.h5 part1.h5");
+  command->callback([&invocation, options] {
+    invocation.command = [&invocation, options] {
+      return merge_on_one_rank(invocation.argc, invocation.argv, *options);
     };
   });
 }
@@ -92,9 +149,11 @@ void add_one(CLI::App& app, Invocation& invocation) {
   }
   command->add_flag("--json", options->json, "One JSON document: field names and values");
   command->footer(
-      "\nGive v0, tc, N, epsilon, and s0 or sigma; the rest has defaults (method md, integrator exact, wall paper).\n\n"
+      "\nGive v0, N, s0 or sigma, and tc and epsilon, or K-over-m and D-n, or a material; the rest has defaults\n"
+      "(method md, law hooke, integrator exact, wall paper).\n\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --s0 1e-6 --N 10 --epsilon 0.9\n"
-      "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --steps-per-tc 500");
+      "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --steps-per-tc 500\n"
+      "  sigmasweep one --v0 1 --s0 0 --N 1 --law hertz --material steel");
   command->callback([&invocation, options] { invocation.command = [options] { return one(*options); }; });
 }
 
@@ -103,18 +162,24 @@ void add_plot(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("plot", "Draw a table as its spec says");
   const auto scales = CLI::IsMember({"linear", "log"}).description("");
   command->add_option("table", options->table, "A table that 'run' wrote")->required()->type_name("TABLE.h5");
-  command->add_option("-o,--output", options->output, "The picture; default: the table's name with .svg, here")
+  command
+      ->add_option("-o,--output", options->output,
+                   "The picture, of several plots the first (others: FILE-name.svg); default: the table's name, here")
       ->type_name("FILE.svg|png|pdf");
-  command->add_option("--x", options->x, "Another field for the x axis")->type_name("FIELD");
-  command->add_option("--y", options->y, "Another field for the y axis")->type_name("FIELD");
+  command->add_option("--name", options->name, "Only the plot of this name")->type_name("NAME");
+  command->add_option("--x", options->x, "Another field for the x axis, or an expression")->type_name("FIELD");
+  command->add_option("--y", options->y, "Another field for the y axis, or an expression")->type_name("FIELD");
   command->add_option("--x-scale", options->x_scale, "Of the x axis")->check(scales)->type_name("linear|log");
   command->add_option("--y-scale", options->y_scale, "Of the y axis")->check(scales)->type_name("linear|log");
   command->add_option("--series", options->series, "Fields: one curve for each combination of their values")
       ->delimiter(',')
       ->type_name("FIELD,...");
+  command->add_flag("-q,--quiet", options->quiet, "Print the files' names only, no fits");
   command->footer(
-      "\n  sigmasweep plot fig2a.h5 -o fig2a.png\n"
-      "  sigmasweep plot fig2a.h5 --y t_k --y-scale log -o t_k.svg");
+      "\nWith --x, --y, --x-scale, --y-scale or --series one plot is drawn, without the spec's fit and guides: the\n"
+      "first, or that of --name.\n\n"
+      "  sigmasweep plot fig2a.h5 -o fig2a.png\n"
+      "  sigmasweep plot fig2a.h5 --x \"s0/v0\" --y \"1 - eps_eff\" --y-scale log -o loss.svg");
   command->callback([&invocation, options] { invocation.command = [options] { return plot(*options); }; });
 }
 
@@ -150,6 +215,7 @@ void add_export(CLI::App& app, Invocation& invocation) {
 
 void add_commands(CLI::App& app, Invocation& invocation) {
   add_run(app, invocation);
+  add_merge(app, invocation);
   add_plan(app, invocation);
   add_one(app, invocation);
   add_plot(app, invocation);

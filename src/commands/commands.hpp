@@ -16,6 +16,17 @@ namespace sigmasweep {
 /// Starts MPI and runs the sweep, on all ranks.
 int run_on_all_ranks(int& argc, char**& argv, const RunOptions& options);
 
+struct MergeOptions {
+  std::string output;
+  std::vector<std::string> parts;
+  bool fresh = false;  ///< replace what is there
+  bool quiet = false;
+};
+/// Joins the tables of slices. Throws Error of code 65 where the parts do not fit together or rows are missing.
+int merge(World& world, const MergeOptions& options);
+/// The same, with MPI started for it.
+int merge_on_one_rank(int& argc, char**& argv, const MergeOptions& options);
+
 struct PlanOptions {
   std::string spec;
   int ranks = 1;
@@ -31,8 +42,10 @@ int one(const OneOptions& options);
 
 struct PlotOptions {
   std::string table, output;
-  std::string x, y, x_scale, y_scale;  ///< instead of the spec's, where not empty
+  std::string name;  ///< of the one plot to draw; empty: all
+  std::string x, y, x_scale, y_scale;  ///< instead of the spec's, where not empty; then one plot is drawn
   std::vector<std::string> series;
+  bool quiet = false;  ///< the files' names only, no fits
 };
 int plot(const PlotOptions& options);
 

@@ -7,7 +7,9 @@
 #include <limits>
 #include <utility>
 
+#include "engine_reuse.hpp"
 #include "sigmasweep/errors.hpp"
+#include "sigmasweep/scene/random.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/store/table.hpp"
 
@@ -19,72 +21,125 @@ namespace {
                                 path, what));
 }
 
-/// What the journal belongs to. Throws SpecError where the rows do not fit into this machine's memory (half of it, as
-/// they are there twice while they are read back) or the count of a collective write.
-JournalIdentity identity_of(const Sweep& sweep) {
+/// What the journal belongs to; that of a slice is not that of the sweep. Throws SpecError where the rows do not fit
+/// into this machine's memory (half of it, as they are there twice while they are read back) or the count of a
+/// collective write, or where a slice could have none.
+JournalIdentity identity_of(const Sweep& sweep, const Slice& slice) {
+  if (slice.count > sweep.size())
+    throw SpecError(fmt::format("{} rows are too few for {} slices", sweep.size(), slice.count));
   const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
-  const double needed = double(sweep.size()) * double(sizeof(Row));
-  if (needed > memory / 2 || sweep.size() > std::uint64_t(std::numeric_limits<std::int32_t>::max()))
-    throw SpecError(fmt::format("{} rows take {:.3g} GB, this machine can hold {:.3g}: split the sweep", sweep.size(),
+  const std::uint64_t rows = slice.size(sweep.size());
+  const double needed = double(rows) * double(sizeof(Row));
+  if (needed > memory / 2 || rows > std::uint64_t(std::numeric_limits<std::int32_t>::max()))
+    throw SpecError(fmt::format("{} rows take {:.3g} GB, this machine can hold {:.3g}: split the sweep", rows,
                                 needed * 1e-9, memory / 2 * 1e-9));
-  return {sweep.hash(), physics_version, sweep.size()};
+  const std::uint64_t hash = slice.is_whole() ? sweep.hash()
+                                              : random_bits(sweep.hash() ^ random_bits(slice.count, slice.index), 0);
+  return {hash, physics_version, sweep.size()};
 }
 
-/// The table at `path`, which must be this sweep's.
-Table table_of(const Sweep& sweep, const std::string& path) {
-  Table table;
+/// The table at `path`. Throws OutputError for anything else.
+Table table_at(const std::string& path) {
   try {
-    table = read_table(path);
+    return read_table(path);
   } catch (const Error&) {
     refuse(path, "is there already and is not a whole sigmasweep table");
   }
-  if (table.info.spec_hash != sweep.hash() || table.rows.size() != sweep.size())
-    refuse(path, "is there already and is the table of another spec");
-  if (table.info.physics_version != physics_version)
-    refuse(path, fmt::format("was computed with physics version {}, this program has {}", table.info.physics_version,
-                             physics_version));
-  return table;
+}
+
+bool is_of(const Table& table, const Sweep& sweep, const Slice& slice) {
+  return table.info.spec_hash == sweep.hash() && table.info.slice == slice &&
+         table.rows.size() == slice.size(sweep.size());
 }
 
 }  // namespace
 
-Ledger::Ledger(const Sweep& sweep, const std::string& table, bool fresh)
-    : journal_(table, identity_of(sweep), fresh),
-      rows_(sweep.size()), have_(sweep.size(), false) {
+Ledger::Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options)
+    : Ledger(sweep, table, options, sources(options)) {}
+
+Ledger::Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options,
+               const std::vector<Source>& others)
+    : slice_(options.slice),
+      journal_(table, identity_of(sweep, slice_), options.fresh,
+               options.extend ? [&](const auto& old) { return carry(sweep, old); } : Journal::Carry()),
+      rows_(slice_.size(sweep.size())), have_(rows_.size(), false) {
   take_journal(sweep);
   const bool begun = !journal_.recovered().empty();
   try {
-    if (!begun && !fresh && std::filesystem::exists(table)) take_table(sweep, table);
+    if (!options.fresh && (!begun || options.extend) && std::filesystem::exists(table))
+      take_table(sweep, table, begun, options.extend);
   } catch (const Error&) {
-    journal_.remove();  // it is empty: leave nothing behind
+    if (!begun) journal_.remove();  // it is empty: leave nothing behind
     throw;
   }
+  for (const Source& other : others) take_over(sweep, other);
   kept_ = there_;
+}
+
+std::vector<Ledger::Source> Ledger::sources(const LedgerOptions& options) {
+  std::vector<Source> sources;
+  for (const std::string& path : options.reuse) {
+    ReusableRows found = reusable_rows(path);
+    sources.push_back({path, std::move(found.why_not), std::move(found.rows)});
+  }
+  return sources;
+}
+
+std::vector<Row> Ledger::carry(const Sweep& sweep, const std::vector<Row>& old) {
+  std::vector<Row> rows = rows_among(old, sweep, slice_);
+  taken_ += rows.size();
+  return rows;
 }
 
 void Ledger::take_journal(const Sweep& sweep) {
   for (const Row& row : journal_.recovered()) {
-    if (row.index >= rows_.size()) continue;
+    if (!slice_.place(row.index)) continue;
     if (content_key(row.parameters) == content_key(sweep.at(row.index))) keep(row);
     else attempts_[row.index] = row.timing.attempt;
   }
 }
 
-void Ledger::take_table(const Sweep& sweep, const std::string& path) {
-  for (const Row& row : table_of(sweep, path).rows) keep(row);
-  table_is_complete_ = true;
+void Ledger::take_table(const Sweep& sweep, const std::string& path, bool begun, bool extend) {
+  const Table table = table_at(path);
+  if (is_of(table, sweep, slice_)) {
+    if (begun) return;  // the journal is younger
+    if (table.info.physics_version != physics_version)
+      refuse(path, fmt::format("was computed with physics version {}, this program has {}",
+                               table.info.physics_version, physics_version));
+    for (const Row& row : table.rows) keep(row);
+    table_is_complete_ = true;
+    return;
+  }
+  if (!extend)
+    refuse(path, table.info.spec_hash == sweep.hash()
+                     ? "is there already and is the table of another slice of this spec"
+                     : "is there already and is the table of another spec (--extend takes over the rows that it has)");
+  ReusableRows found = reusable_rows(path);
+  if (!found.why_not.empty()) refuse(path, found.why_not);
+  take_over(sweep, {path, {}, std::move(found.rows)});
+}
+
+void Ledger::take_over(const Sweep& sweep, const Source& source) {
+  if (!source.why_not.empty()) remarks_.push_back(fmt::format("nothing taken over: {} {}", source.path, source.why_not));
+  for (const Row& row : rows_among(source.rows, sweep, slice_)) {
+    if (have_[*slice_.place(row.index)]) continue;
+    journal_.append(row);
+    keep(row);
+    ++taken_;
+  }
 }
 
 void Ledger::keep(const Row& row) {
-  rows_[row.index] = row;
-  if (!have_[row.index]) ++there_;
-  have_[row.index] = true;
+  const std::uint64_t k = *slice_.place(row.index);
+  rows_[k] = row;
+  if (!have_[k]) ++there_;
+  have_[k] = true;
 }
 
 std::vector<std::uint64_t> Ledger::missing() const {
   std::vector<std::uint64_t> missing;
-  for (std::uint64_t row = 0; row < have_.size(); ++row)
-    if (!have_[row]) missing.push_back(row);
+  for (std::uint64_t k = 0; k < have_.size(); ++k)
+    if (!have_[k]) missing.push_back(slice_.row(k));
   return missing;
 }
 

@@ -10,14 +10,9 @@ namespace {
 std::atomic<bool> signalled = false;  // the one thing a signal handler may touch
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-using Clock = std::chrono::steady_clock;
-
 }  // namespace
 
-StopRequest::StopRequest(double max_seconds)
-    : end_(max_seconds > 0.0 ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                  std::chrono::duration<double>(max_seconds))
-                             : Clock::time_point::max()) {
+StopRequest::StopRequest() {
   signalled = false;
   struct sigaction action {};
   action.sa_handler = [](int) { signalled = true; };
@@ -29,6 +24,10 @@ StopRequest::StopRequest(double max_seconds)
 
 StopRequest::~StopRequest() {
   for (std::size_t i = 0; i < signals_.size(); ++i) sigaction(signals_[i], &before_[i], nullptr);
+}
+
+void StopRequest::end_in(double seconds) {
+  end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
 bool StopRequest::made() const { return signalled || Clock::now() >= end_; }

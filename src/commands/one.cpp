@@ -15,6 +15,7 @@ namespace {
 
 /// The value as TOML writes it: what a number is was checked before.
 std::string toml_value(const Field& field, const std::string& typed) {
+  if (field.type == FieldType::flag) return typed;
   if (!enumerators(field.type).empty()) return fmt::format("\"{}\"", typed);
   return field.type == FieldType::real ? fmt::format("{}", std::stod(typed)) : typed;
 }
@@ -45,12 +46,18 @@ std::string readable(const Field& field, const Row& row) {
 }
 
 void print_result(const std::vector<Field>& columns, const Row& row) {
+  std::size_t names = 0, values = 24;
+  for (const Field& field : columns) {
+    names = std::max(names, field.name.size());
+    values = std::max(values, readable(field, row).size());
+  }
   for (const Field& field : columns)
     if (field.name == "eps_eff")
-      fmt::print("\n{:<12} {:<24} {}\n", field.name,
-                 fmt::format("{:.12g} +- {:.1g}", row.collision.eps_eff, row.collision.eps_eff_error), field.meaning);
+      fmt::print("\n{:<{}} {:<{}} {}\n", field.name, names,
+                 fmt::format("{:.12g} +- {:.1g}", row.collision.eps_eff, row.collision.eps_eff_error), values,
+                 field.meaning);
     else if (field.name != "eps_eff_error")
-      fmt::print("{:<12} {:<24} {}\n", field.name, readable(field, row), field.meaning);
+      fmt::print("{:<{}} {:<{}} {}\n", field.name, names, readable(field, row), values, field.meaning);
   fmt::print("\n{:.3g} ms of computing\n", 1e3 * row.timing.run_time);
 }
 
@@ -59,10 +66,11 @@ void print_result(const std::vector<Field>& columns, const Row& row) {
 int one(const OneOptions& options) {
   const Sweep sweep = sweep_of(options);
   const Row row = compute_row({.index = 0, .parameters = sweep.at(0)}, 0);
-  std::vector<Field> columns;  // what a table would have, and what was given
+  std::vector<Field> columns;  // what a table would have, what was given, and what follows from it
   for (const Field& field : parameter_fields()) {
     const bool column = std::ranges::any_of(sweep.columns(), [&](const Field& f) { return f.name == field.name; });
-    if (column || options.given.contains(field.name)) columns.push_back(field);
+    const bool follows = row.parameters.K_over_m > 0.0 && (field.name == "K_over_m" || field.name == "D_n");
+    if (column || follows || options.given.contains(field.name)) columns.push_back(field);
   }
   columns.insert(columns.end(), result_fields().begin(), result_fields().end());
   if (options.json)

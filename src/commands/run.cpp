@@ -6,22 +6,28 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine_compute.hpp"
+#include "engine_deadline.hpp"
 #include "engine_ledger.hpp"
 #include "engine_stop.hpp"
+#include "engine_trajectories.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/progress.hpp"
 #include "sigmasweep/report/summary.hpp"
 #include "sigmasweep/store/table.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "slurm_job.hpp"
+#include "trajectory_files.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -68,26 +74,31 @@ std::string utc_now() {
 class Run {
  public:
   Run(World& world, const RunOptions& options)
-      : world_(world), options_(options), stop_(options.max_seconds),
+      : world_(world), options_(options),
         table_(options.output.empty() ? default_table(options.spec) : options.output) {}
 
   int operator()() {
     if (const int code = begin(); code != success) return code;
+    if (const int code = keep_time(); code != success) return code;
     if (world_.broadcast(std::int64_t{ledger_ && ledger_->table_is_complete()}) == 0) {
       if (const int code = compute(); code != success) return code;
       if (const int code = write(); code != success) return code;
     }
+    if (const int code = film(); code != success) return code;
     return on_manager(world_, [this] { return finish(); });
   }
 
  private:
   int begin();
+  int keep_time();
   int compute();
   int write();
+  int film();
   int finish();               // on the manager
   Schedule schedule() const;  // on the manager
   void take(const Row& row);  // on the manager
   bool manager_computes() const;
+  std::uint64_t rows() const { return options_.slice.size(sweep_->size()); }  // to be in the table
 
   void say(const std::string& what) const {
     if (!options_.quiet) std::fputs(what.c_str(), stderr);  // if nobody can read it, the run goes on
@@ -95,11 +106,13 @@ class Run {
 
   World& world_;
   const RunOptions& options_;
-  const StopRequest stop_;
+  StopRequest stop_;
+  const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   const std::string table_, start_ = utc_now();
   std::optional<Sweep> sweep_;
   // the manager's:
   std::optional<Ledger> ledger_;
+  std::optional<Deadline> deadline_;
   std::optional<Progress> progress_;
   std::exception_ptr trouble_;  // with the journal, while rows came in
   Work work_;
@@ -109,16 +122,45 @@ class Run {
 int Run::begin() {
   const int code = on_manager(world_, [this] {
     sweep_ = Sweep::load(options_.spec);
-    ledger_.emplace(*sweep_, table_, options_.fresh);
+    if (!options_.fresh) require_own_trajectories(*sweep_, table_);
+    ledger_.emplace(*sweep_, table_, LedgerOptions{options_.fresh, options_.slice, options_.extend, options_.reuse});
+    if (options_.fresh) remove_trajectories(*sweep_, table_);
+    for (const std::string& remark : ledger_->remarks()) say(fmt::format("sigmasweep: {}\n", remark));
     if (ledger_->table_is_complete())
       say(fmt::format("sigmasweep: {} is complete, nothing to compute (--fresh starts again)\n", table_));
     else if (ledger_->kept() > 0)
-      say(fmt::format("sigmasweep: going on with {} of {} rows\n", ledger_->kept(), sweep_->size()));
+      say(fmt::format("sigmasweep: going on with {} of {} rows{}\n", ledger_->kept(), rows(),
+                      ledger_->taken() ? fmt::format(", {} of them taken over", ledger_->taken()) : ""));
     return success;
   });
   if (code != success) return code;
   const std::string text = world_.broadcast(sweep_ ? sweep_->text() : "");
   if (!sweep_) sweep_ = Sweep::parse(text, options_.spec);
+  return success;
+}
+
+/// Sees to it that everything ends before --max-time is over and before the Slurm job is.
+int Run::keep_time() {
+  constexpr double forever = std::numeric_limits<double>::infinity();
+  double seconds = forever;
+  const int code = on_manager(world_, [&] {
+    const SlurmJob job = ask_slurm();
+    if (!job.warning.empty()) std::fputs(fmt::format("sigmasweep: {}\n", job.warning).c_str(), stderr);
+    const double left = options_.max_seconds.value_or(forever) - seconds_since(begun_);
+    seconds = std::min(left, job.seconds_left.value_or(forever));
+    if (std::isfinite(seconds)) seconds -= time_for_the_end(seconds, double(rows()) * double(sizeof(Row)));
+    if (job.seconds_left)
+      say(fmt::format("sigmasweep: job {} ends in {}\n", job.id, readable_duration(*job.seconds_left)));
+    return success;
+  });
+  if (code != success) return code;
+  seconds = world_.broadcast(seconds);
+  if (!std::isfinite(seconds)) return success;
+  stop_.end_in(seconds);
+  const double crowding = world_.crowding();
+  if (!world_.is_manager()) return success;
+  deadline_.emplace(stop_.end(), crowding);
+  for (const Row& row : ledger_->rows()) deadline_->learn(row.timing);
   return success;
 }
 
@@ -140,7 +182,7 @@ int Run::compute() {
   std::optional<Schedule> to_do;
   const int ready = on_manager(world_, [&] {
     to_do.emplace(schedule());
-    progress_.emplace(sweep_->size() - ledger_->kept(), to_do->total_seconds(), world_.size(), options_.quiet);
+    progress_.emplace(rows() - ledger_->kept(), to_do->total_seconds(), world_.size(), options_.quiet);
     return success;
   });
   if (ready != success) return ready;
@@ -153,6 +195,7 @@ int Run::compute() {
     if (progress_) progress_->add(0, 0.0);
     return trouble_ || stop_.made();
   };
+  if (deadline_) job.most_seconds = [this] { return deadline_->most_seconds(); };
   job.manager_computes = manager_computes();
   const auto start = std::chrono::steady_clock::now();
   distribute(world_, to_do ? &*to_do : nullptr, job);
@@ -163,8 +206,9 @@ int Run::compute() {
     if (trouble_) std::rethrow_exception(trouble_);
     ledger_->sync();
     if (ledger_->is_complete()) return success;
-    std::fputs(fmt::format("sigmasweep: stopped on purpose with {} of {} rows done; run it again{} to go on\n",
-                           ledger_->there(), sweep_->size(), options_.fresh ? " without --fresh" : "").c_str(), stderr);
+    std::fputs(fmt::format("sigmasweep: stopped on purpose with {} of {} rows done{}; run it again{} to go on\n",
+                           ledger_->there(), rows(), stop_.made() ? "" : ", the others would not end in time",
+                           options_.fresh ? " without --fresh" : "").c_str(), stderr);
     return stopped;
   });
 }
@@ -174,6 +218,7 @@ void Run::take(const Row& row) {
   try {
     ledger_->enter(row);
     work_.add(row);
+    if (deadline_) deadline_->learn(row.timing);
     progress_->add(1, row.timing.predicted_time);
   } catch (...) {
     trouble_ = std::current_exception();  // stops the run
@@ -188,10 +233,11 @@ int Run::write() {
   info.host = host_name();
   info.start = start_;
   info.ranks = world_.size();
-  const auto rows = world_.scatter(ledger_ ? ledger_->rows() : std::vector<Row>{}, sweep_->size());
+  info.slice = options_.slice;
+  const auto block = world_.scatter(ledger_ ? ledger_->rows() : std::vector<Row>{}, rows());
   try {
-    write_table(static_cast<MPI_Comm>(world_.native()), table_, info, sweep_->columns(), sweep_->size(),
-                world_.block(sweep_->size()).first, rows);
+    write_table(static_cast<MPI_Comm>(world_.native()), table_, info, sweep_->columns(), rows(),
+                world_.block(rows()).first, block);
   } catch (const Error& error) {  // the same on all ranks; the manager's is enough
     if (world_.is_manager()) throw;
     return error.exit_code();
@@ -199,8 +245,30 @@ int Run::write() {
   return success;
 }
 
+/// Trajectories, if the spec wants some. The table is there, and a stop or an error from here on leaves it alone.
+int Run::film() {
+  const int closed = on_manager(world_, [this] { return ledger_->close(), success; });
+  if (closed != success || !sweep_->trajectory() || !options_.slice.is_whole()) return closed;
+  Films films;
+  try {
+    films = write_trajectories(world_, *sweep_, table_, ledger_ ? ledger_->rows() : std::vector<Row>{}, stop_);
+  } catch (const Error& error) {  // the same on all ranks; the manager's is enough
+    if (world_.is_manager()) throw;
+    return error.exit_code();
+  }
+  return on_manager(world_, [&] {
+    const std::string where = trajectory_directory(table_);
+    if (films.there == films.wanted) {
+      say(fmt::format("sigmasweep: {} trajectories in {}\n", films.there, where));
+      return success;
+    }
+    std::fputs(fmt::format("sigmasweep: stopped on purpose with {} of {} trajectories in {}; run it again{} to go on\n",
+                           films.there, films.wanted, where, options_.fresh ? " without --fresh" : "").c_str(), stderr);
+    return stopped;
+  });
+}
+
 int Run::finish() {
-  ledger_->close();
   say(fmt::format("{}: {}", table_, summary(ledger_->rows(), work_, world_.size(), wall_seconds_)));
   const bool fine = std::all_of(ledger_->rows().begin(), ledger_->rows().end(),
                                 [](const Row& row) { return is_success(row.collision.status); });

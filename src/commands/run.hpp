@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "sigmasweep/comm/world.hpp"
+#include "sigmasweep/sweep/slice.hpp"
 
 namespace sigmasweep {
 
@@ -11,7 +14,10 @@ struct RunOptions {
   std::string output;        ///< path of the table; empty: default_table(spec)
   bool fresh = false;        ///< start again, whatever is there
   bool quiet = false;        ///< neither progress nor summary
-  double max_seconds = 0.0;  ///< stop on purpose after this long; 0: never
+  std::optional<double> max_seconds;  ///< be through after this long; the end of a Slurm job counts as well
+  Slice slice;                        ///< compute these rows only
+  bool extend = false;                ///< take over the rows of the table of another spec that is to be replaced
+  std::vector<std::string> reuse;     ///< tables whose rows are taken over
 };
 
 /// The spec's name with .h5 for .toml, in the current directory.

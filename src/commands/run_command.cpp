@@ -32,4 +32,9 @@ int run_on_all_ranks(int& argc, char**& argv, const RunOptions& options) {
   }
 }
 
+int merge_on_one_rank(int& argc, char**& argv, const MergeOptions& options) {
+  World world(argc, argv);
+  return merge(world, options);
+}
+
 }  // namespace sigmasweep

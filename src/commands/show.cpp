@@ -41,12 +41,18 @@ void print_columns(const std::vector<Field>& fields, const std::vector<const Row
   }
 }
 
+std::string slice_line(const Slice& slice) {
+  if (slice.is_whole()) return {};
+  return fmt::format("Slice {} of {} (0 to {}): 'sigmasweep merge' joins them.\n", slice.index, slice.count,
+                     slice.count - 1);
+}
+
 void print_text(const StoredSweep& stored, const ShowOptions& options, const std::vector<const Row*>& rows,
                 std::size_t matching) {
   const Table& table = stored.table;
-  fmt::print("{}\n{}: {} rows ({}), spec {:016x}, {} on {}, {} {}\n\n", table.info.title, options.table,
+  fmt::print("{}\n{}: {} rows ({}), spec {:016x}, {} on {}, {} {}\n{}\n", table.info.title, options.table,
              table.rows.size(), rows_by_status(table.rows), table.info.spec_hash, table.info.start, table.info.host,
-             table.info.ranks, table.info.ranks == 1 ? "rank" : "ranks");
+             table.info.ranks, table.info.ranks == 1 ? "rank" : "ranks", slice_line(table.info.slice));
   if (rows.empty()) {
     fmt::print("no such rows\n");
     return;
@@ -63,6 +69,8 @@ void print_json(const StoredSweep& stored, const ShowOptions& options, const std
       {"start", table.info.start}, {"host", table.info.host},
       {"ranks", table.info.ranks}, {"rows", table.rows.size()},
       {"matching", matching},      {"results", nlohmann::ordered_json::array()}};
+  if (!table.info.slice.is_whole())
+    document["slice"] = {{"index", table.info.slice.index}, {"count", table.info.slice.count}};
   for (const Row* row : rows) {
     nlohmann::ordered_json result = {{"row", row->index}};
     result.update(json_of(table.columns, *row));

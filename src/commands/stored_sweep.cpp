@@ -6,6 +6,7 @@
 
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/sweep/usage.hpp"
 
 namespace sigmasweep {
 
@@ -17,8 +18,9 @@ StoredSweep read_stored_sweep(const std::string& path) {
     return stored;
   }
   auto& rows = stored.table.rows;
-  if (stored.sweep->size() != rows.size()) throw IoError(fmt::format("{}: its rows are not those of its spec", path));
-  for (std::uint64_t k = 0; k < rows.size(); ++k) rows[k].parameters = stored.sweep->at(k);
+  if (stored.table.info.slice.size(stored.sweep->size()) != rows.size())
+    throw IoError(fmt::format("{}: its rows are not those of its spec", path));
+  for (Row& row : rows) row.parameters = stored.sweep->at(row.index);
   return stored;
 }
 
@@ -39,25 +41,19 @@ std::vector<Field> all_fields() {
   return fields;
 }
 
-bool is_used(const Field& field, const Parameters& parameters) {
-  const bool soft = parameters.method == Method::md, exact = parameters.integrator == Integrator::exact;
-  if (field.name == "integrator") return soft;
-  if (field.name == "tolerance") return soft && exact;
-  if (field.name == "steps_per_tc") return soft && !exact;
-  return true;
-}
-
 std::string repeat_command(const Row& row) {
   // Both of s0 and sigma are stored; give the one that the other follows from to the bit.
-  const Parameters& p = row.parameters;
-  const bool from_s0 = complete(p, Gap::s0).sigma == p.sigma;
+  Parameters p = row.parameters;
+  give_gap(p, Gap::s0);
+  const bool from_s0 = p.sigma == row.parameters.sigma;
   const Row defaults;
   std::string command = "sigmasweep one";
   for (const Field& field : parameter_fields()) {
-    if (field.name == (from_s0 ? "sigma" : "s0")) continue;
-    static constexpr auto always = std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "epsilon"});
+    if (field.name == (from_s0 ? "sigma" : "s0") || !is_used(field, row.parameters)) continue;
+    static constexpr auto always =
+        std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "epsilon", "beta", "gamma"});
     const bool needed = std::find(always.begin(), always.end(), field.name) != always.end();
-    if (!needed && (!is_used(field, p) || number(field, row) == number(field, defaults))) continue;
+    if (!needed && number(field, row) == number(field, defaults)) continue;
     std::string option(field.name);
     std::replace(option.begin(), option.end(), '_', '-');
     command += fmt::format(" --{} {}", option, text(field, row));

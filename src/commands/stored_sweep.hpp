@@ -25,9 +25,6 @@ std::string rows_by_status(std::span<const Row> rows);
 /// Parameters, results and timings: all that a condition on a finished row may name.
 std::vector<Field> all_fields();
 
-/// Whether the solver that `parameters` choose looks at this parameter.
-bool is_used(const Field& field, const Parameters& parameters);
-
 /// The command line that computes this row again, to the bit.
 std::string repeat_command(const Row& row);
 

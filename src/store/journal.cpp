@@ -40,10 +40,10 @@ void keep_last_of_each_index(std::vector<Row>& rows) {
 }  // namespace
 
 struct Journal::Impl {
-  Impl(const std::string& table_path, const JournalIdentity& identity_, bool fresh)
+  Impl(const std::string& table_path, const JournalIdentity& identity_, bool fresh, const Carry& carry)
       : lock(table_path), path(table_path + ".journal"), identity(identity_), codec(make_header(identity_)),
         buffer(codec.size()) {
-    if (fresh || !open_existing()) create();
+    if (fresh || !open_existing(carry)) create({});
   }
   ~Impl() {
     if (file.is_open() && failure.empty() && unsynced != 0) ::fdatasync(file.fd());  // nobody left to tell
@@ -51,9 +51,10 @@ struct Journal::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  bool open_existing();
-  void create();
-  void recover();
+  bool open_existing(const Carry& carry);
+  void create(std::vector<Row> rows);
+  void recover(const RecordCodec& their_codec);
+  void replace(const JournalHeader& old, const Carry& carry);
   std::uint64_t end() const { return header_size + records * codec.size(); }
   [[noreturn]] void fail(const char* what, int error) const {
     throw IoError(fmt::format("cannot {} {}: {}", what, path, reason(error)));
@@ -74,7 +75,7 @@ struct Journal::Impl {
 };
 
 /// False if there is no journal.
-bool Journal::Impl::open_existing() {
+bool Journal::Impl::open_existing(const Carry& carry) {
   file = File(path, O_RDWR);
   if (!file.is_open() && errno == ENOENT) return false;
   if (!file.is_open()) throw OutputError(fmt::format("cannot open {}: {}", path, reason(errno)));
@@ -83,20 +84,38 @@ bool Journal::Impl::open_existing() {
   JournalHeader header;
   std::size_t size = 0;
   if (S_ISREG(status.st_mode)) size = read_at(file.fd(), std::as_writable_bytes(std::span(&header, 1)), 0, path);
-  if (const std::string why = why_unusable(header, size, identity); !why.empty())
+  const std::string why = why_unusable(header, size, identity);
+  const bool same_but_for_the_sweep =
+      why_unusable(header, size, {header.spec_hash, identity.physics_version, header.rows}).empty();
+  if (!why.empty() && carry && same_but_for_the_sweep) return replace(header, carry), true;
+  if (!why.empty())
     throw OutputError(fmt::format("{} {}. Start the sweep again with --fresh, which replaces it, or choose another "
                                   "output with -o", path, why));
-  recover();
+  recover(codec);
+  if (::ftruncate(file.fd(), static_cast<off_t>(end())) != 0) fail("cut the torn end of", errno);
   return true;
 }
 
-/// Written and synced under another name first: a journal always has a whole header.
-void Journal::Impl::create() {
+void Journal::Impl::replace(const JournalHeader& old, const Carry& carry) {
+  recover(RecordCodec(old));
+  std::vector<Row> rows = carry(recovered);
+  records = dropped = 0;
+  create(std::move(rows));
+}
+
+/// Written and synced under another name first: a journal always has a whole header, and the rows that it begins with.
+void Journal::Impl::create(std::vector<Row> rows) {
   const std::string part = path + ".part";
   file = File(part, O_RDWR | O_CREAT | O_TRUNC);
   if (!file.is_open()) throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
   const JournalHeader header = make_header(identity);
   int error = write_at(file.fd(), std::as_bytes(std::span(&header, 1)), 0);
+  for (const Row& row : rows) {
+    if (error != 0) break;
+    codec.encode(row, records, buffer.data());
+    error = write_at(file.fd(), buffer, end());
+    ++records;
+  }
   if (error == 0 && ::fsync(file.fd()) != 0) error = errno;
   if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) {
@@ -104,32 +123,33 @@ void Journal::Impl::create() {
     throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
   }
   sync_directory_of(path);
+  recovered = std::move(rows);
 }
 
-/// Reads the records, a bounded number at a time, and cuts the file after the last good one.
-void Journal::Impl::recover() {
-  std::vector<std::byte> chunk(4096 * codec.size());
+/// Reads the records, a bounded number at a time; `records` is then one past the last good one.
+void Journal::Impl::recover(const RecordCodec& their_codec) {
+  const std::size_t record_size = their_codec.size();
+  std::vector<std::byte> chunk(4096 * record_size);
   std::uint64_t number = 0;  // of the record in the file
   std::size_t got = 0;
   do {
-    got = read_at(file.fd(), chunk, header_size + number * codec.size(), path);
-    const std::size_t whole = got / codec.size();
+    got = read_at(file.fd(), chunk, header_size + number * record_size, path);
+    const std::size_t whole = got / record_size;
     for (std::size_t i = 0; i < whole; ++i, ++number) {
-      if (const auto row = codec.decode(chunk.data() + i * codec.size(), number)) {
+      if (const auto row = their_codec.decode(chunk.data() + i * record_size, number)) {
         recovered.push_back(*row);
         records = number + 1;
       } else {
         ++dropped;
       }
     }
-    if (got % codec.size() != 0) ++dropped;
+    if (got % record_size != 0) ++dropped;
   } while (got == chunk.size());
   keep_last_of_each_index(recovered);
-  if (::ftruncate(file.fd(), static_cast<off_t>(end())) != 0) fail("cut the torn end of", errno);
 }
 
-Journal::Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh)
-    : impl_(std::make_unique<Impl>(table_path, identity, fresh)) {}
+Journal::Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry)
+    : impl_(std::make_unique<Impl>(table_path, identity, fresh, carry)) {}
 
 Journal::~Journal() = default;
 Journal::Journal(Journal&&) noexcept = default;

@@ -41,8 +41,7 @@ std::uint64_t checksum_of(const JournalHeader& header) {
 }
 
 std::uint32_t build_hash() {
-  const BuildInfo& info = build_info();
-  const std::string build = fmt::format("{}\n{}\n{}", info.program_version, info.compiler, info.compiler_flags);
+  const std::string build = build_name();
   return static_cast<std::uint32_t>(XXH3_64bits(build.data(), build.size()));
 }
 
@@ -73,7 +72,7 @@ std::string why_unusable(const JournalHeader& found, std::size_t size, const Jou
   if (found.record_size != wanted.record_size || found.layout != wanted.layout)
     return "is a journal of another version of sigmasweep (its rows hold other fields)";
   if (found.spec_hash != wanted.spec_hash)
-    return fmt::format("belongs to another sweep spec (its hash is {:016x}, this spec's {:016x})", found.spec_hash,
+    return fmt::format("belongs to another sweep spec or slice (its hash is {:016x}, this one's {:016x})", found.spec_hash,
                        wanted.spec_hash);
   if (found.physics_version != wanted.physics_version)
     return fmt::format("was begun with physics version {}, this program has {}", found.physics_version,

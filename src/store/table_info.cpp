@@ -63,6 +63,9 @@ void write_info(hid_t file, const TableInfo& info, std::uint64_t rows) {
   write_text(file, "host", info.host);
   write_text(file, "start", info.start);
   write_number(file, "ranks", static_cast<std::uint64_t>(info.ranks));
+  if (info.slice.is_whole()) return;
+  write_number(file, "slice_index", info.slice.index);
+  write_number(file, "slice_count", info.slice.count);
 }
 
 StoredInfo read_info(hid_t file) {
@@ -80,6 +83,11 @@ StoredInfo read_info(hid_t file) {
   info.start = read_text(file, "start");
   info.ranks = static_cast<int>(read_number(file, "ranks"));
   info.physics_version = static_cast<std::uint32_t>(read_number(file, "physics_version"));
+  info.build = fmt::format("{}\n{}\n{}", read_text(file, "program_version"), read_text(file, "compiler"),
+                           read_text(file, "compiler_flags"));
+  if (H5Aexists(file, "slice_count") > 0)
+    info.slice = {read_number(file, "slice_index"), read_number(file, "slice_count")};
+  if (info.slice.index >= info.slice.count) throw IoError("it is a slice of no sweep");
   return stored;
 }
 

@@ -99,7 +99,7 @@ Table read_open_table(const std::string& path) {
   const auto of_timings = timing_fields();
   table.columns = read_rows(file, "results", of_results, stored.rows, table.rows);
   read_rows(file, "timings", {of_timings.begin(), of_timings.end()}, stored.rows, table.rows);
-  for (std::uint64_t k = 0; k < stored.rows; ++k) table.rows[k].index = k;
+  for (std::uint64_t k = 0; k < stored.rows; ++k) table.rows[k].index = table.info.slice.row(k);
   return table;
 }
 

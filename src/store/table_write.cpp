@@ -36,11 +36,12 @@ void see_same_file(const std::string& part, int rank) {
 }
 
 /// The blocks must cover the table; nothing would fill a gap.
-void check_blocks(const Team& team, std::uint64_t total_rows, const Block& block) {
+void check_blocks(const Team& team, const Slice& slice, std::uint64_t total_rows, const Block& block) {
   const std::uint64_t rows = team.sum(block.rows.size());
   team.together([&] {
     bool right = rows == total_rows;
-    for (std::size_t k = 0; k < block.rows.size(); ++k) right = right && block.rows[k].index == block.first + k;
+    for (std::size_t k = 0; k < block.rows.size(); ++k)
+      right = right && block.rows[k].index == slice.row(block.first + k);
     if (!right) throw std::logic_error(fmt::format("the ranks' blocks do not make up {} rows", total_rows));
   });
 }
@@ -76,7 +77,7 @@ void write_together(const Team& team, const std::string& path, const TableInfo& 
   const std::string part = path + ".part";
   std::uint64_t bytes = (std::uint64_t{1} << 16) + 2 * (info.title.size() + info.spec_text.size());
   for (const Section& section : sections) bytes += total_rows * packed_size(section.fields);
-  check_blocks(team, total_rows, block);
+  check_blocks(team, info.slice, total_rows, block);
   try {
     team.together([&] { if (team.rank() == 0) prepare(path, part, bytes); });
     team.together([&] { see_same_file(part, team.rank()); });

@@ -62,6 +62,8 @@ class WrongCommands(Files):
         self.check(64, ["v0", "-1"], "one", "--v0", -1, "--tc", 1, "--N", 2, "--epsilon", 1, "--s0", 0)
         self.check(64, ["'tc' is missing"], "one", "--v0", 1)
         self.check(64, ["s0", "sigma"], "one", *COLUMN, "--s0", 0, "--sigma", 0)
+        self.check(64, ["'tc'", "'material'", "conflict"], "one", *COLUMN, "--s0", 0, "--material", "steel")
+        self.check(64, ["seed", "random"], "one", *COLUMN, "--s0", 0, "--seed", 3)
         self.check(64, ["steps_per_tc"], "one", *COLUMN, "--s0", 0, "--steps-per-tc", 50)
         self.check(64, ["tc"], "one", "--v0", 1, "--tc", "inf", "--N", 2, "--epsilon", 1, "--s0", 0)
 
@@ -108,6 +110,20 @@ class Answers(Files):
             self.assertTrue(0 <= result["eps_eff_error"] < 1e-10)
         self.assertEqual(self.one("--s0", "1e-6", "--method", "ed")["contacts"], 100)
         self.assertEqual(self.one("--s0", "1e-6", "--wall", "matched")["wall"], "matched")
+
+    def test_one_of_a_material(self):
+        for material, law in (("steel", "hooke"), ("steel", "hertz"), ("aluminium", "hertz-kuwabara-kono")):
+            arguments = f"one --material {material} --law {law} --v0 1 --s0 0 --N 1".split()
+            result = json.loads(sigmasweep(*arguments, "--json").stdout)
+            self.assertLess(abs(result["tc"] - 4.6e-6), 0.11e-6)  # the paper's, in Sec. III: about 4.6e-6 s
+            self.assertLess(abs(result["epsilon"] - {"steel": 0.9, "aluminium": 0.6}[material]), 1e-12)
+            self.assertEqual((result["status"], result["material"], result["law"]), ("ok", material, law))
+            for word in ("tc ", "epsilon ", "K_over_m ", "D_n "):
+                self.assertIn(word, sigmasweep(*arguments).stdout)
+        arguments = "one --v0 0.05 --s0 1e-6 --N 3 --law hertz --K-over-m 2e12 --D-n 1e3 --random-separation true"
+        result = json.loads(sigmasweep(*arguments.split(), "--seed", 7, "--json").stdout)
+        self.assertLess(abs(result["epsilon"] - 0.924199892990), 1e-10)  # of an independent integration
+        self.assertEqual((result["random_separation"], result["seed"]), (True, 7))
 
     def test_numbers_are_kept_to_the_bit(self):
         v0 = math.pi * 1e-3

@@ -129,6 +129,37 @@ class TableCommands(unittest.TestCase):
             self.assertIn(expected, words)
         self.assertFalse((self.path / "pwned").exists())
 
+    def test_several_plots_and_fits(self):
+        plots = SPEC.split("[plot]")[0] + """
+[[plot]]
+name = "first"
+[[plot]]
+name = "loss"
+x = "sigma"
+y = "1 - eps_eff"
+y_scale = "log"
+where = "integrator == exact"
+series = "epsilon"
+fit = { form = "power", from = 0.1, to = 1 }
+guides = [{ slope = 0.5, label = "a guide" }, { y = 0.2 }]
+"""
+        (self.path / "plots.toml").write_text(plots)
+        self.assertEqual(self.sigmasweep("run", "plots.toml", "-o", "plots.h5").returncode, 1)
+        lines = self.ok("plot", "plots.h5").splitlines()
+        self.assertEqual(lines[:2], ["plots.svg", "plots-loss.svg"])
+        self.assertEqual(lines[2].split(), ["series", "slope", "error", "prefactor", "points"])
+        self.assertEqual(lines[3].split()[:3], ["epsilon", "=", "0.9"])
+        self.assertEqual([line.split()[-1] for line in lines[3:]], ["2", "2"])
+        words = " ".join(xml.etree.ElementTree.parse(self.path / "plots-loss.svg").getroot().itertext())
+        self.assertIn("a guide", " ".join(words.split()))
+        self.assertEqual(self.ok("plot", "plots.h5", "-q", "-o", "b.png"), "b.png\nb-loss.png\n")
+        self.assertEqual(self.ok("plot", "plots.h5", "-q", "--name", "loss"), "plots-loss.svg\n")
+        self.assertEqual(self.ok("plot", "plots.h5", "-q", "--name", "loss", "-o", "c.svg"), "c.svg\n")
+        self.assertEqual(self.ok("plot", "plots.h5", "--y", "sqrt(eps_eff)", "-o", "d.svg"), "d.svg\n")
+        wrong = self.sigmasweep("plot", "plots.h5", "--name", "los")
+        self.assertEqual((wrong.returncode, wrong.stdout), (64, ""))
+        self.assertIn("did you mean 'loss'?", wrong.stderr)
+
     def test_plot_overrides_and_refusals(self):
         self.ok("plot", "table.h5", "--x", "epsilon", "--x-scale", "linear", "--y", "contacts", "--series", "sigma",
                 "-o", "other.svg")

@@ -71,11 +71,18 @@ inline Row row(std::uint64_t index, std::uint64_t variant = 0) {
   Row r;
   r.index = index;
   Parameters& p = r.parameters;
-  for (double* x : {&p.v0, &p.tc, &p.s0, &p.sigma, &p.epsilon, &p.d, &p.steps_per_tc, &p.tolerance}) *x = real();
+  for (double* x : {&p.v0, &p.tc, &p.s0, &p.sigma, &p.epsilon, &p.d, &p.steps_per_tc, &p.tolerance, &p.K_over_m, &p.D_n,
+                    &p.beta, &p.gamma, &p.width})
+    *x = real();
   p.N = static_cast<std::int64_t>(next() >> 20);
   p.method = static_cast<Method>(next() % 2);
   p.wall = static_cast<Wall>(next() % 2);
   p.integrator = static_cast<Integrator>(next() % 4);
+  p.seed = static_cast<std::int64_t>(next() >> 20);
+  p.law = static_cast<Law>(next() % 5);
+  p.material = static_cast<Material>(next() % 3);
+  p.ed_rule = static_cast<EdRule>(next() % 2);
+  p.random_separation = static_cast<Flag>(next() % 2);
   Collision& c = r.collision;
   for (double* x : {&c.eps_eff, &c.eps_eff_error, &c.Er_Ef, &c.Er_E0, &c.v_cm, &c.t_k, &c.x_max}) *x = real();
   if (index % 5 == 1) c.eps_eff = std::numeric_limits<double>::quiet_NaN();

@@ -26,6 +26,9 @@ class World {
   /// The manager's text, or number, on every rank. Collective.
   std::string broadcast(std::string text) const;
   std::int64_t broadcast(std::int64_t number) const;
+  double broadcast(double number) const;
+  /// How many ranks share a processor where it is worst; at least 1. Collective.
+  double crowding() const;
   /// The manager's rows dealt out as contiguous blocks in the order of ranks, `block(total)` to each. Collective.
   std::vector<Row> scatter(const std::vector<Row>& rows, std::uint64_t total) const;
   /// Rows first, first + 1, ..., first + count - 1 of `total`: this rank's block. Blocks differ by at most one row.
@@ -51,12 +54,14 @@ struct Job {
   std::function<Row(const Tuple&)> compute;            ///< must not throw; on workers, and on a thread of the manager
   std::function<void(const Row&)> finished;            ///< on the manager, for each row as it comes in; must not throw
   std::function<bool()> stop;                          ///< polled on every rank: hand out nothing more
+  /// On the manager: a chunk that is predicted to take more CPU time, s, is not handed out now. Empty: no limit.
+  std::function<double()> most_seconds{};
   bool manager_computes = true;
 };
 
 /// Hands out the rows of `schedule` (the manager's; unused elsewhere) and returns on all ranks when everything handed
 /// out has come back. When any rank's `stop` says so, no tuple is begun any more: those in flight are finished and come
-/// back, the rest of the chunks is dropped. With one rank the manager computes, whatever `job` says.
+/// back, the rest of the chunks is dropped. A rank for which no chunk is short enough gets none any more. With one rank the manager computes, whatever `job` says.
 void distribute(const World& world, Schedule* schedule, const Job& job);
 
 }  // namespace sigmasweep

@@ -14,6 +14,9 @@ struct BuildInfo {
 
 const BuildInfo& build_info();
 
+/// What the last digits of a result may hang on, besides the physics version: program version, compiler and flags.
+std::string build_name();
+
 /// The libraries that the program runs with; both may be asked before MPI_Init.
 std::string mpi_version();
 std::string hdf5_version();

@@ -8,21 +8,25 @@
 
 #include "sigmasweep/sweep/fields.hpp"
 #include "sigmasweep/sweep/row.hpp"
+#include "sigmasweep/sweep/slice.hpp"
 
 namespace sigmasweep {
 
 /// What a table's root attributes say about the sweep and its run: title, spec, spec_hash (hexadecimal text), host,
-/// start, ranks. The writer adds format ("sigmasweep-table"), format_version, rows, physics_version, program_version,
+/// start, ranks, and for a slice of a sweep slice_index and slice_count. The writer adds format ("sigmasweep-table"), format_version, rows, physics_version, program_version,
 /// git_revision, compiler, compiler_flags, mpi_version and hdf5_version. All texts are UTF-8.
 struct TableInfo {
   std::string title, spec_text, host, start;  ///< start: ISO 8601, UTC
   std::uint64_t spec_hash = 0;
   int ranks = 1;
+  Slice slice;                        ///< the table's rows are those; every rank has the same
   std::uint32_t physics_version = 0;  ///< of a table that was read; the writer writes the program's own
+  std::string build;                  ///< likewise, as build_name()
 };
 
-/// Writes the table collectively: every rank of `comm` brings its contiguous block of rows, `first` being the index of
-/// the block's first row (blocks may be empty; together they make up `total_rows` rows); `info` is rank 0's. /results
+/// Writes the table collectively: every rank of `comm` brings its contiguous block of rows, `first` being the place in
+/// the table of the block's first row (blocks may be empty; together they make up `total_rows` rows, in spec order; with
+/// a slice those that it has); `info` is rank 0's, but for the slice. /results
 /// holds `columns` in that order, /timings the timing fields: one-dimensional compounds without padding, enumerations
 /// with their names. The unit and meaning of member X are the dataset's attributes unit:X and meaning:X.
 ///
@@ -37,7 +41,7 @@ void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, 
 struct Table {
   TableInfo info;
   std::vector<Field> columns;  ///< what /results has
-  std::vector<Row> rows;       ///< with timings; members that the file lacks keep their defaults
+  std::vector<Row> rows;       ///< with timings; members that the file lacks keep their defaults; index: the spec's row
 };
 
 /// Reads a table without MPI. Members are found by name and converted; unknown ones are passed over. Throws

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace sigmasweep {
+
+/// Where a table's trajectories are: fig1.trajectories beside fig1.h5.
+std::string trajectory_directory(const std::string& table);
+
+/// The file of a row: fig1.trajectories/row-000042.h5.
+std::string trajectory_file(const std::string& table, std::uint64_t row);
+
+}  // namespace sigmasweep

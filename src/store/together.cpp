@@ -1,0 +1,14 @@
+#include "sigmasweep/store/together.hpp"
+
+#include "agreement.hpp"
+
+namespace sigmasweep {
+
+std::uint64_t together(MPI_Comm comm, const std::function<std::uint64_t()>& step) {
+  const Team team(comm);
+  std::uint64_t result = 0;
+  team.together([&] { result = step(); });
+  return team.sum(result);
+}
+
+}  // namespace sigmasweep

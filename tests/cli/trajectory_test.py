@@ -1,0 +1,239 @@
+"""Trajectories beside a table: are they H5MD 1.1 (h5py is the independent reader, the rules are written out here from
+https://www.nongnu.org/h5md/releases/h5md-1.1.0.html), are they the collisions, and does a run treat them as a user
+expects."""
+
+import pathlib
+import signal
+import subprocess
+import sys
+import unittest
+
+import h5py
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "faults"))
+from sweep_process import PROGRAM, Sweep, end_of  # noqa: E402
+
+SWEEP = """
+[sweep]
+method  = ["md", "ed"]
+N       = [1, 3]
+epsilon = 0.9
+v0      = 0.2
+tc      = 7e-6
+s0      = [0.0, 1e-6]
+width   = 1e-4
+"""
+FILMED = SWEEP + "[trajectory]\nsamples = 101\n[plot]\nkind = 'trajectories'\n"
+
+
+class Films(Sweep):
+    def file(self, row):
+        return self.path / "table.trajectories" / f"row-{row:06}.h5"
+
+    def names(self):
+        directory = self.path / "table.trajectories"
+        return sorted(entry.name for entry in directory.iterdir()) if directory.exists() else []
+
+    def bytes(self):
+        return {name: (self.path / "table.trajectories" / name).read_bytes() for name in self.names()}
+
+
+ALL = [f"row-{row:06}.h5" for row in range(8)]
+
+
+class H5md(unittest.TestCase):
+    """The rules of H5MD 1.1, then what our files say beyond them."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.sweep = Films(FILMED)
+        ended = cls.sweep.run(0)
+        assert ended.code == 0, ended
+
+    def fixed_text(self, attribute, shape=()):
+        """Strings are of fixed length."""
+        self.assertEqual(attribute.shape, shape)
+        info = h5py.check_string_dtype(attribute.dtype)
+        self.assertIsNotNone(info.length, attribute.dtype)
+
+    def element(self, group, shape):
+        """A time-dependent element with explicit step and time."""
+        step, time, value = group["step"], group["time"], group["value"]
+        self.assertEqual(step.dtype.kind, "i")
+        self.assertEqual(time.dtype.kind, "f")
+        self.assertEqual(step.shape, time.shape)
+        self.assertTrue((numpy.diff(step[()]) > 0).all() and (numpy.diff(time[()]) > 0).all())
+        self.assertEqual(value.shape, step.shape + shape)
+        self.assertEqual(time.attrs["unit"], b"s")
+
+    def test_rules(self):
+        for name in ALL:
+            with self.subTest(name), h5py.File(self.sweep.path / "table.trajectories" / name) as file:
+                version = file["h5md"].attrs["version"]
+                self.assertEqual((version.dtype.kind, version.tolist()), ("i", [1, 1]))
+                for group, key in (("author", "name"), ("creator", "name"), ("creator", "version")):
+                    self.fixed_text(file["h5md"][group].attrs.get_id(key))
+                self.assertEqual(file["h5md/creator"].attrs["name"], b"sigmasweep")
+                self.assertEqual(file["h5md/modules/units"].attrs["version"].tolist(), [1, 0])
+                beads = file["particles/beads"]
+                N = file["parameters"].attrs["N"]
+                dimension = beads["box"].attrs.get_id("dimension")
+                self.assertEqual((dimension.shape, dimension.dtype.kind), ((), "i"))
+                self.assertEqual(beads["box"].attrs["dimension"], 1)
+                self.fixed_text(beads["box"].attrs.get_id("boundary"), (1,))
+                self.assertEqual(beads["box"].attrs["boundary"].tolist(), [b"none"])  # then edges may be left out
+                for name, unit in (("position", b"m"), ("velocity", b"m s-1"), ("reduced_height", b"m")):
+                    self.element(beads[name], (N, 1))
+                    self.assertEqual(beads[name]["value"].attrs["unit"], unit)
+                    for shared in ("step", "time"):  # hard links: the same object
+                        self.assertEqual(beads[name][shared], beads["position"][shared])
+                self.element(file["observables/kinetic_energy"], ())
+                self.assertEqual(beads["mass"].shape, (N,))
+                self.assertEqual(beads["mass"].dtype.kind, "f")
+
+    def test_parameters_and_physics(self):
+        with h5py.File(self.sweep.table) as table:
+            rows = table["results"][()]
+        for k, row in enumerate(rows):
+            with self.subTest(row=k), h5py.File(self.sweep.file(k)) as file:
+                given = file["parameters"].attrs
+                for name in ("v0", "tc", "s0", "sigma", "N", "epsilon"):
+                    self.assertEqual(given[name], row[name])
+                self.assertEqual((given["row"], given["method"]), (k, (b"md", b"ed")[row["method"]]))
+                beads = file["particles/beads"]
+                d, mass = beads["diameter"][()], beads["mass"][()]
+                numpy.testing.assert_allclose(mass, (d / 1e-3) ** 3, rtol=1e-14)
+                base = numpy.cumsum(d) - d / 2
+                z, h = beads["reduced_height/value"][:, :, 0], beads["position/value"][:, :, 0]
+                numpy.testing.assert_allclose(h, z + base, atol=1e-18)  # some roundings of 3e-3 m
+                numpy.testing.assert_allclose(z[0], row["s0"] * numpy.arange(1, row["N"] + 1), atol=1e-20)
+                energy = file["observables/kinetic_energy/value"][()]
+                v = beads["velocity/value"][:, :, 0]
+                numpy.testing.assert_allclose(energy, (v**2 @ mass) / (0.2**2 * mass.sum()), rtol=1e-13)
+                self.assertEqual(len(energy), 101)
+                if row["N"] == 1:  # it has left the wall by then
+                    self.assertAlmostEqual(energy[-1] ** 0.5, row["eps_eff"], delta=1e-12)
+                end = 1.5 * (row["s0"] / 0.2 + row["t_k"]) or 1.5 * row["N"] * 7e-6
+                self.assertAlmostEqual(beads["position/time"][-1] / end, 1.0, delta=1e-14)
+
+    def test_plot(self):
+        for form in ("svg", "png"):
+            ended = subprocess.run([PROGRAM, "plot", "table.h5", "-o", f"film.{form}"], cwd=self.sweep.path,
+                                   capture_output=True, text=True, timeout=60)
+            self.assertEqual((ended.returncode, ended.stderr), (0, ""), ended)
+        picture = (self.sweep.path / "film.svg").read_text()
+        self.assertIn("µs", picture)
+        self.assertIn("(h) ED", picture)
+        self.file_gone_and_back()
+
+    def file_gone_and_back(self):
+        self.sweep.file(3).unlink()
+        ended = subprocess.run([PROGRAM, "plot", "table.h5"], cwd=self.sweep.path, capture_output=True, text=True,
+                               timeout=60)
+        self.assertEqual(ended.returncode, 66, ended)
+        self.assertIn("row-000003.h5", ended.stderr)
+        self.assertEqual(self.sweep.run(0).code, 0)
+        self.assertEqual(self.sweep.names(), ALL)
+
+
+class Runs(unittest.TestCase):
+    def test_same_bytes_for_any_number_of_ranks_and_same_results_without(self):
+        plain = Films(SWEEP)
+        self.assertEqual(plain.run(0).code, 0)
+        self.assertEqual(plain.names(), [])
+        one = Films(FILMED)
+        self.assertEqual(one.run(0).code, 0)
+        self.assertEqual(one.files(), ["sweep.toml", "table.h5", "table.trajectories"])
+        self.assertEqual(one.names(), ALL)
+        self.assertEqual(one.results(), plain.results())
+        for ranks in (1, 3):
+            many = Films(FILMED)
+            ended = many.run(ranks)
+            self.assertEqual(ended.code, 0, ended)
+            self.assertEqual(many.bytes(), one.bytes())
+            self.assertEqual(many.results(), one.results())
+
+    def test_deleted_files_come_back_and_the_others_stay(self):
+        sweep = Films(FILMED)
+        self.assertEqual(sweep.run(0).code, 0)
+        before = sweep.bytes()
+        kept = sweep.file(1).stat().st_mtime_ns
+        sweep.file(0).unlink()
+        sweep.file(7).unlink()
+        ended = sweep.run(3)
+        self.assertEqual(ended.code, 0, ended)
+        self.assertEqual(sweep.bytes(), before)
+        self.assertEqual(sweep.file(1).stat().st_mtime_ns, kept)
+
+    def test_files_of_something_else(self):
+        sweep = Films(FILMED)
+        self.assertEqual(sweep.run(0).code, 0)
+        whole = sweep.bytes()
+        for foreign in (b"something else", whole["row-000003.h5"]):
+            for ranks in (0, 3):
+                sweep.file(2).write_bytes(foreign)
+                ended = sweep.run(ranks)
+                self.assertEqual(ended.code, 73, ended)
+                self.assertEqual(ended.err.count("row-000002.h5"), 1, ended)
+                self.assertEqual(sweep.file(2).read_bytes(), foreign)
+        self.assertEqual(sweep.run(2, "--fresh").code, 0)
+        self.assertEqual(sweep.bytes(), whole)
+
+    def test_fresh_with_another_spec(self):
+        sweep = Films(FILMED)
+        self.assertEqual(sweep.run(0).code, 0)
+        sweep.spec.write_text(FILMED.replace("0.9", "0.8").replace("samples", "where = 'N == 3'\nsamples"))
+        self.assertEqual(sweep.run(0).code, 73)
+        self.assertEqual(sweep.names(), ALL)
+        self.assertEqual(sweep.run(0, "--fresh").code, 0)
+        self.assertEqual(sweep.names(), [ALL[2], ALL[3], ALL[6], ALL[7]])
+
+    def test_no_directory(self):
+        sweep = Films(FILMED)
+        (sweep.path / "table.trajectories").write_text("in the way")
+        for ranks in (0, 3):
+            ended = sweep.run(ranks)
+            self.assertEqual(ended.code, 73, ended)
+            self.assertEqual(ended.err.count("table.trajectories"), 1, ended)
+        self.assertEqual((sweep.path / "table.trajectories").read_text(), "in the way")
+
+    def test_stopped_and_gone_on_with(self):
+        many = FILMED.replace("[0.0, 1e-6]", "{ from = 1e-7, to = 1e-5, count = 400 }").replace("101", "20001")
+        sweep = Films(many.replace("N       = [1, 3]", "N = 10"))
+        process = sweep.start(2)
+        while not sweep.names() and process.poll() is None:
+            pass
+        process.send_signal(signal.SIGUSR1)
+        ended = end_of(process)
+        self.assertEqual(ended.code, 75, ended)
+        self.assertEqual(ended.err.count("run it again to go on"), 1, ended)
+        self.assertTrue(sweep.table.exists())
+        names = sweep.names()
+        self.assertTrue(0 < len(names) < 800 and all(name.endswith(".h5") for name in names))
+        ended = sweep.run(0, "--max-seconds", "0.5")  # goes on a little: never fewer
+        self.assertIn(ended.code, (0, 75), ended)
+        self.assertGreater(len(sweep.names()), len(names))
+
+    def test_specs(self):
+        for wrong, words in (("samples = 1", "from 2 to"), ("duration = 0", "> 0"), ("sample = 3", "samples"),
+                             ("where = 'N == 7'", "no row"), ("where = 'N'", "where"),
+                             ("where = 'eps_eff > 0'", "eps_eff"), ("samples = 1000000\nwhere = 'N == 3'\nx = 1", "x")):
+            sweep = Films(SWEEP + "[trajectory]\n" + wrong + "\n")
+            ended = sweep.run(0)
+            self.assertEqual(ended.code, 65, ended)
+            self.assertIn("trajectory", ended.err)
+            self.assertIn(words, ended.err)
+            self.assertEqual(sweep.files(), ["sweep.toml"])
+        big = Films(SWEEP.replace("[0.0, 1e-6]", "{ from = 1e-7, to = 1e-5, count = 4000 }") + "[trajectory]\n")
+        ended = big.run(0)
+        self.assertEqual(ended.code, 65, ended)
+        self.assertIn("10000", ended.err)
+        lonely = Films(SWEEP + "[plot]\nkind = 'trajectories'\n")
+        ended = lonely.run(0)
+        self.assertEqual(ended.code, 65, ended)
+        self.assertIn("[trajectory]", ended.err)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
