@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -91,6 +92,15 @@ std::string complaint(std::FILE* err) {
 }
 
 }  // namespace
+
+std::string quoted(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'') out += '\'';
+    out += std::iscntrl(static_cast<unsigned char>(c)) ? ' ' : c;
+  }
+  return out + "'";
+}
 
 void run_gnuplot(const std::string& script, const std::string& path) {
   const File in = temporary_file(), err = temporary_file();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "plot_figure.hpp"
 
@@ -18,5 +19,8 @@ std::string gnuplot_script(const Figure& figure, Form form);
 /// Runs gnuplot, without a shell, on `script`; its standard output becomes `path`, complete or not at all.
 /// Throws OutputError.
 void run_gnuplot(const std::string& script, const std::string& path);
+
+/// Text as a string of gnuplot's language.
+std::string quoted(std::string_view text);
 
 }  // namespace sigmasweep::plot

@@ -21,15 +21,6 @@ constexpr auto symbols = std::to_array<int>({6, 4, 8, 12, 10, 2, 14, 1});
 constexpr auto guide_dashes = std::to_array<std::string_view>({"(8,6)", "(2,4)", "(10,4,2,4)"});
 constexpr std::size_t longest_key = 24;
 
-std::string quoted(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'') out += '\'';
-    out += std::iscntrl(static_cast<unsigned char>(c)) ? ' ' : c;
-  }
-  return out + "'";
-}
-
 struct Terminal {
   std::string_view options;
   double font_size;  ///< of labels; the key and the note are smaller

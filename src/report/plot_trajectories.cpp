@@ -21,15 +21,6 @@ using namespace plot;
 
 constexpr double invisible = 2e-4;  // of a panel's width: a tenth of a pixel
 
-std::string quoted(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'') out += '\'';
-    out += std::iscntrl(static_cast<unsigned char>(c)) ? ' ' : c;
-  }
-  return out + "'";
-}
-
 /// The prefix with which the largest number of an axis is between 1 and 1000.
 struct Prefix {
   std::string_view name;

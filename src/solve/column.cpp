@@ -10,9 +10,6 @@
 namespace sigmasweep {
 namespace {
 
-/// Springs and dashpots over the bead mass m: with m_red = m/2 and m_ij = m the pair has K/m = omega0^2/2 and
-/// D_n = mu, Eqs. (3), (5). At the wall the bead moves with its whole mass: the pair's K and D_n for Wall::paper;
-/// twice both for Wall::matched, which gives the wall the pair's omega0 and mu.
 /// Masses over the mean bead's: diameters uniform in d +- width/2, masses with their cubes.
 template <class Real>
 std::vector<Real> masses(const Parameters& p) {
@@ -45,7 +42,8 @@ std::vector<Real> gaps(const Parameters& p, const Real& gap) {
 /// The pair's law per reduced mass, with length v0 tc and time tc as units; from (tc, epsilon) or from D_n.
 PairLaw reduced_pair(const Parameters& p, Exponents e) {
   const double k = theory::stiffness(e, 1.0, 1.0);
-  const double b = p.K_over_m > 0.0 ? 2.0 * p.D_n * p.tc * std::pow(p.v0 * p.tc, e.gamma) : damping(e, k, 1.0, p.epsilon);
+  const double b =
+      p.K_over_m > 0.0 ? 2.0 * p.D_n * p.tc * std::pow(p.v0 * p.tc, e.gamma) : damping(e, k, 1.0, p.epsilon);
   return {e, k, b};
 }
 
@@ -65,7 +63,8 @@ Stiffness<Real> stiffness(const Parameters& p, const Real& speed, const Real& tc
   using std::pow;
   const PairLaw pair = reduced_pair(p, e);
   const Real length = speed * tc;
-  return {Real(pair.k / 2) / (tc * tc * pow(length, Real(e.beta))), Real(pair.b / 2) / (tc * pow(length, Real(e.gamma)))};
+  return {Real(pair.k / 2) / (tc * tc * pow(length, Real(e.beta))),
+          Real(pair.b / 2) / (tc * pow(length, Real(e.gamma)))};
 }
 
 /// At the wall the bead moves with its whole mass: the pair's K and D_n for Wall::paper; twice both for Wall::matched,

@@ -27,7 +27,8 @@ double eps_eff(const Column<Real>& column, const Outcome<Real>& outcome) {
 constexpr double amplification = 100.0;
 /// How much the difference between the runs may be too small by chance.
 constexpr double doubt = 4.0;
-/// Local accuracies that the types can make good, and the work (NonlinearColumn::work) of about a second in the wide one.
+/// Local accuracies that the types can make good, and the work (contacts in trial steps) of about a second in the wide
+/// one.
 constexpr double finest_double = 1e-15, finest_long_double = 1e-19;
 constexpr std::uint64_t long_double_limit = 150'000;
 

@@ -22,8 +22,8 @@ NonlinearColumn<Real>::NonlinearColumn(const Column<Real>& column, const Nonline
   u_[0] = column.speed;
 }
 
-/// The clock starts when the first bead meets the wall. Beads that touch each other then are open gaps of length 0: they
-/// close when the wave gets to them.
+/// The clock starts when the first bead meets the wall. Beads that touch each other then are open gaps of length 0:
+/// they close when the wave gets to them.
 template <class Real>
 template <class Watcher>
 Outcome<Real> NonlinearColumn<Real>::run(Watcher& watcher) {

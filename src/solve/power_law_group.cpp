@@ -21,6 +21,9 @@ int root(Exponents e) {
 /// A contact that reaches x = 0 (or left it) within this time, in tc, if it goes on as it does, is led by its s.
 constexpr double near = 0.15;
 
+/// Spans tried for a step before it is given up, and those in a leader's variable before the time takes over.
+constexpr int most_tries = 400, patience = 12;
+
 }  // namespace
 
 template <class Real>
@@ -142,55 +145,73 @@ bool PowerLawGroup<Real>::leader_reverses() const {
   return !(start_[n_ + leader_] * end_[n_ + leader_] > 0);
 }
 
+/// The span to try after one with this error, by the scheme's order.
+template <class Real>
+Real PowerLawGroup<Real>::shortened(const Real& span, const Real& error) const {
+  using std::pow;
+  if (error <= 1) return span / 4;  // not the error: the leader turned round within the step
+  if (!(error < Real(1e10))) return span / 5;
+  return span * std::max(Real(0.2), std::min(Real(0.5), Real(0.9) * pow(error, Real(-0.125))));
+}
+template <class Real>
+Real PowerLawGroup<Real>::lengthened(const Real& span, const Real& error) const {
+  using std::pow;
+  return span * std::min(Real(4), Real(0.9) * pow(std::max(error, Real(1e-8)), Real(-0.125)));
+}
+
 template <class Real>
 bool PowerLawGroup<Real>::step() {
   std::copy_n(end_.begin() + std::ptrdiff_t(n_), n_, start_.begin() + std::ptrdiff_t(n_));
   banned_ = none;
   choose_leader();
   Real span = first_guess();
-  for (int tries = 0; tries < 400; ++tries) {
-    using std::fabs, std::pow;
+  for (int tries = 0; tries < most_tries; ++tries) {
     const Real error = trial(span);
-    const bool failed = !(error <= 1) || (leader_ != none && leader_reverses());
-    if (failed) {
-      const Real factor = error < Real(1e10) ? std::max(Real(0.2), std::min(Real(0.5), Real(0.9) * pow(error, Real(-0.125))))
-                                             : Real(0.2);
-      span *= error <= 1 ? Real(0.25) : factor;
-      if (leader_ != none && tries > 12) {  // it turns round before x = 0
+    if (!(error <= 1) || (leader_ != none && leader_reverses())) {
+      span = shortened(span, error);
+      if (leader_ != none && tries > patience) {  // it turns round before x = 0
         banned_ = leader_;
         lead_by(none);
         span = first_guess();
       }
       continue;
     }
-    const Real growth = std::min(Real(4), Real(0.9) * pow(std::max(error, Real(1e-8)), Real(-0.125)));
     slopes(end_, end_slope_, from_ + span_);
-    event_.reset();
-    auto crossing = first_crossing(none);
-    if (crossing && leader_ == none && closed_[crossing->contact] && crossing->contact != banned_ &&
-        at_start_[crossing->contact] > 0) {
-      const std::size_t opening = crossing->contact;
-      if (start_[n_ + opening] < 0) {  // its own variable ends at x = 0
-        lead_by(opening);
+    const auto crossing = first_crossing(none);
+    if (crossing && should_lead(crossing->contact)) {
+      if (start_[n_ + crossing->contact] < 0) {  // its own variable ends at x = 0
+        lead_by(crossing->contact);
         span = -from_;
       } else {
-        span *= Real(0.5) * crossing->fraction;
+        span *= crossing->fraction / 2;
       }
       continue;
     }
-    const bool cut = crossing.has_value();
-    while (crossing) {
-      event_.reset();
-      if (locate(crossing->contact, crossing->fraction)) event_ = crossing->contact;
-      crossing = first_crossing(crossing->contact);
-    }
-    if (leader_ != none && from_ + span_ == Real(0)) event_ = leader_;
-    length_ = leader_ == none ? span_ : end_[leader_];
-    if (!cut) (leader_ == none ? next_time_span_ : next_s_span_) = span_ * growth;
-    if (event_) *event_ += lo_;
+    if (!crossing) (leader_ == none ? next_time_span_ : next_s_span_) = lengthened(span_, error);
+    end_at(crossing);
     return true;
   }
   return false;
+}
+
+/// Whether a contact that opens within a step in time is better followed in its own variable.
+template <class Real>
+bool PowerLawGroup<Real>::should_lead(std::size_t i) const {
+  return leader_ == none && closed_[i] && i != banned_ && at_start_[i] > 0;
+}
+
+/// Ends the step at the first of its events.
+template <class Real>
+void PowerLawGroup<Real>::end_at(std::optional<Crossing> crossing) {
+  event_.reset();
+  while (crossing) {
+    event_.reset();
+    if (locate(crossing->contact, crossing->fraction)) event_ = crossing->contact;
+    crossing = first_crossing(crossing->contact);
+  }
+  if (leader_ != none && from_ + span_ == Real(0)) event_ = leader_;
+  length_ = leader_ == none ? span_ : end_[leader_];
+  if (event_) *event_ += lo_;
 }
 
 template <class Real>
@@ -261,7 +282,11 @@ auto PowerLawGroup<Real>::hermite(std::size_t i) const -> Quintic {
   const Real x0 = start_[i], v0 = h * start_slope_[i], a0 = h * h * second_slope(start_, start_slope_, from_, i);
   const Real x1 = end_[i], v1 = h * end_slope_[i], a1 = h * h * second_slope(end_, end_slope_, from_ + h, i);
   const Real d = x1 - x0;
-  return {x0, v0, a0 / 2, 10 * d - 6 * v0 - 4 * v1 - (3 * a0 - a1) / 2, -15 * d + 8 * v0 + 7 * v1 + (3 * a0 - 2 * a1) / 2,
+  return {x0,
+          v0,
+          a0 / 2,
+          10 * d - 6 * v0 - 4 * v1 - (3 * a0 - a1) / 2,
+          -15 * d + 8 * v0 + 7 * v1 + (3 * a0 - 2 * a1) / 2,
           6 * d - 3 * (v0 + v1) - (a0 - a1) / 2};
 }
 
@@ -277,7 +302,8 @@ auto PowerLawGroup<Real>::first_crossing(std::size_t but) const -> std::optional
     distance[0] -= goal;
     for (Real& c : distance) c *= sign;
     if (distance[0] < 0) distance[0] = 0;
-    if (distance[0] == Real(0) && !(distance[1] < 0) && sign * (end_[i] - goal) >= 0) continue;  // leaves 0 the right way
+    const bool leaves_rightly = distance[0] == Real(0) && !(distance[1] < 0) && sign * (end_[i] - goal) >= 0;
+    if (leaves_rightly) continue;
     const auto when = FirstRoot<Real, 5>::find(distance, first ? first->fraction : Real(1));
     if (when) first = Crossing{i, *when};
   }

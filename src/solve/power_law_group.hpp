@@ -17,8 +17,8 @@ namespace sigmasweep {
 ///     x_k'' = F_(k-1)/m_(k-1) - F_k (1/m_(k-1) + 1/m_k) + F_(k+1)/m_k,  F of power_force.hpp where k is closed.
 /// The independent variable of a step is the time or, while a contact (the leader) is near x = 0, its s = x^(1/q):
 ///     dt/ds = q s^(q-1)/u,  dx_j/ds = u_j dt/ds,  du_j/ds = a_j dt/ds,
-/// with q such that all powers of s in the leader's force are whole. In s the force is smooth through the closing and up
-/// to the opening, which is at s = 0 and need not be searched for. Other contacts that are near x = 0 at the same time
+/// with q such that all powers of s in the leader's force are whole. In s the force is smooth through the closing and
+/// up to the opening, which is at s = 0 and need not be searched for. Other contacts that are near x = 0 at the same time
 /// are left to the control of the step length.
 template <class Real>
 class PowerLawGroup {
@@ -61,6 +61,10 @@ class PowerLawGroup {
   void choose_leader();
   void lead_by(std::size_t contact);
   Real first_guess() const;
+  Real shortened(const Real& span, const Real& error) const;
+  Real lengthened(const Real& span, const Real& error) const;
+  bool should_lead(std::size_t i) const;
+  void end_at(std::optional<Crossing> crossing);
   bool leader_reverses() const;
   Real second_slope(const State& y, const State& dy, const Real& at, std::size_t i) const;
   Quintic hermite(std::size_t i) const;

@@ -71,7 +71,8 @@ TEST(Nonlinear, TheLinearLawByItsConstantsAgreesToo) {
   for (const Reference& r : {Reference{1, 0.924265096433, 5e-10}, {2, 0.942003112172, 6e-10}, {5, 0.957156306910, 3e-9},
                              {10, 0.965121738232, 2e-9}, {20, 0.972136095487, 4e-10}, {100, 0.984846612989, 2e-10}})
     expect(r, fig3(Law::hooke, 2e9, 0.5 * 3.17e3, r.N));
-  for (const Reference& r : {Reference{1, 0.945841378575, 8e-9}, {10, 0.973906434625, 2e-9}, {50, 0.984365502578, 4e-10}})
+  for (const Reference& r :
+       {Reference{1, 0.945841378575, 8e-9}, {10, 0.973906434625, 2e-9}, {50, 0.984365502578, 4e-10}})
     expect(r, fig3(Law::hooke, 4e9, 0.5 * 3.17e3, r.N));
 }
 
@@ -184,7 +185,8 @@ TEST(Nonlinear, ErrorBarHoldsForRandomTuples) {
     options.settle = 1e-14;
     const auto column = reduced_column<long double>(p);
     const Outcome<long double> finer = nonlinear_collision(column, options);
-    const double error = std::fabs(static_cast<double>(energies<long double>(finer.velocity, 1.0L).eps_eff) - c.eps_eff);
+    const long double eps_eff = energies<long double>(finer.velocity, 1.0L).eps_eff;
+    const double error = std::fabs(static_cast<double>(eps_eff) - c.eps_eff);
     ++results;
     held += error <= c.eps_eff_error;
     EXPECT_LE(error, 10.0 * c.eps_eff_error) << "law " << int(p.law) << " N " << p.N << " sigma " << p.sigma;
