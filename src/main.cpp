@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -89,6 +90,7 @@ int flushed(int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a failed write, and named
   try {
     sigmasweep::Invocation invocation{argc, argv, {}};
     CLI::App app(description, "sigmasweep");
@@ -101,7 +103,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
       return flushed(explain(app, error));
     }
-    const bool needs_all_ranks = app.got_subcommand("run");
+    const bool needs_all_ranks = app.got_subcommand("run") || app.got_subcommand("precision");
     if (!needs_all_ranks && launched_rank() != 0) return 0;
     return flushed(invocation.command());
   } catch (const sigmasweep::Error& error) {

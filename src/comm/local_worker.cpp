@@ -4,7 +4,7 @@
 
 namespace sigmasweep {
 
-LocalWorker::LocalWorker(const std::function<Row(const Tuple&)>& compute)
+LocalWorker::LocalWorker(const Compute& compute)
     : thread_([this, &compute] { work(*this, compute); }) {}
 
 LocalWorker::~LocalWorker() {

@@ -16,7 +16,7 @@ namespace sigmasweep {
 /// workers at once however long the tuple that is computed beside it takes.
 class LocalWorker final : private Line {
  public:
-  explicit LocalWorker(const std::function<Row(const Tuple&)>& compute);
+  explicit LocalWorker(const Compute& compute);
   ~LocalWorker() override;  ///< says quit and waits for the tuple in flight
   LocalWorker(const LocalWorker&) = delete;
   LocalWorker& operator=(const LocalWorker&) = delete;

@@ -14,6 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr auto look_every = std::chrono::milliseconds(1), deliver_every = std::chrono::milliseconds(200);
+constexpr auto grace = std::chrono::milliseconds(500);  // mpirun kills a second after it has told us to stop
 
 class RemoteLine : public Line {
  public:
@@ -41,6 +42,8 @@ class RemoteLine : public Line {
     }
     return quit_;
   }
+
+  bool expects_quit() override { return quit() || told_; }
 
   void deliver(std::vector<Row> rows) override { send(message::rows, std::move(rows)); }
 
@@ -72,8 +75,13 @@ class RemoteLine : public Line {
 
 }  // namespace
 
-void work(Line& line, const std::function<Row(const Tuple&)>& compute) {
+void work(Line& line, const Compute& compute) {
   std::vector<Row> rows;
+  std::optional<Clock::time_point> asked;
+  const std::function<bool()> to_end = [&] {
+    if (!asked && line.expects_quit()) asked = Clock::now();
+    return asked && Clock::now() - *asked >= grace;
+  };
   auto looked = Clock::now(), delivered = looked;
   const auto deliver = [&] {
     line.deliver(std::exchange(rows, {}));
@@ -84,7 +92,9 @@ void work(Line& line, const std::function<Row(const Tuple&)>& compute) {
     const auto chunk = line.next_chunk();
     if (chunk.empty()) break;
     for (const Tuple& tuple : chunk) {
-      rows.push_back(compute(tuple));
+      const auto row = compute(tuple, to_end);
+      if ((quit = !row)) break;
+      rows.push_back(*row);
       const auto now = Clock::now();
       if (now - looked < look_every) continue;
       looked = now;
@@ -93,6 +103,7 @@ void work(Line& line, const std::function<Row(const Tuple&)>& compute) {
     }
     if (!quit && !rows.empty()) deliver();
   }
+  while (!line.next_chunk().empty()) continue;  // a tuple was dropped, and quit is still under way
   line.farewell(std::move(rows));
 }
 

@@ -106,6 +106,22 @@ std::string World::broadcast(std::string text) const {
   return text;
 }
 
+std::vector<std::string> World::gather(const std::string& bytes) const {
+  std::vector<std::string> all(1, bytes);
+  for (int from = 1; from < size(); ++from) {
+    if (rank() == from) check(MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_CHAR, 0, 0, impl_->communicator), "MPI_Send");
+    if (!is_manager()) continue;
+    MPI_Status status;
+    int count = 0;
+    check(MPI_Probe(from, 0, impl_->communicator, &status), "MPI_Probe");
+    check(MPI_Get_count(&status, MPI_CHAR, &count), "MPI_Get_count");
+    std::string& there = all.emplace_back(static_cast<std::size_t>(count), '\0');
+    check(MPI_Recv(there.data(), count, MPI_CHAR, from, 0, impl_->communicator, MPI_STATUS_IGNORE), "MPI_Recv");
+  }
+  if (!is_manager()) all.clear();
+  return all;
+}
+
 World::Block World::block(std::uint64_t total) const {
   return block_of(total, static_cast<std::uint64_t>(rank()), static_cast<std::uint64_t>(size()));
 }

@@ -86,7 +86,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       ->type_name("I/N");
   command->add_flag("--extend", options->extend,
                     "The table there is of an earlier spec: take over the rows that are the same, then replace it");
-  command->add_option("--reuse", options->reuse, "Take over rows that are the same from this table (several: repeat it)")
+  command->add_option("--reuse", options->reuse, "Take over rows that are the same from this table (may be repeated)")
       ->type_name("OTHER.h5")
       ->allow_extra_args(false);
   command->footer(
@@ -117,6 +117,32 @@ void add_merge(CLI::App& app, Invocation& invocation) {
   command->callback([&invocation, options] {
     invocation.command = [&invocation, options] {
       return merge_on_one_rank(invocation.argc, invocation.argv, *options);
+    };
+  });
+}
+
+void add_precision(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<PrecisionOptions>();
+  CLI::App* command = app.add_subcommand("precision", "Measure error against run time of every integrator");
+  command->add_option("spec", options->spec, "A sweep spec with a table [precision]")->required()->type_name("SPEC.toml");
+  command->add_option("-o,--output", options->output, "The table; default: the spec's name with .h5, here")
+      ->type_name("TABLE.h5");
+  command->add_option("--tuples", options->tuples, "Contact phases a scene, instead of the spec's")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}).description(""))
+      ->type_name("COUNT");
+  command->add_option("--repeats", options->repeats, "Timings, of which the smallest counts, instead of the spec's")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000}).description(""))
+      ->type_name("COUNT");
+  command->add_flag("--no-plots{false}", options->plots, "No pictures");
+  command->add_flag("-q,--quiet", options->quiet, "No progress");
+  command->footer(
+      "\nPrints a table and writes it to TABLE.h5, with TABLE.svg and TABLE.png beside it. Under mpirun each scene is\n"
+      "measured by one rank; let mpirun bind ranks to cores (--bind-to core).\n\n"
+      "  mpirun -n 2 --bind-to core sigmasweep precision precision.toml\n"
+      "  sigmasweep precision precision.toml --tuples 10 --repeats 1");
+  command->callback([&invocation, options] {
+    invocation.command = [&invocation, options] {
+      return precision_on_all_ranks(invocation.argc, invocation.argv, *options);
     };
   });
 }
@@ -153,6 +179,7 @@ void add_one(CLI::App& app, Invocation& invocation) {
       "(method md, law hooke, integrator exact, wall paper).\n\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --s0 1e-6 --N 10 --epsilon 0.9\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --steps-per-tc 500\n"
+      "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --tolerance 1e-4\n"
       "  sigmasweep one --v0 1 --s0 0 --N 1 --law hertz --material steel");
   command->callback([&invocation, options] { invocation.command = [options] { return one(*options); }; });
 }
@@ -167,6 +194,9 @@ void add_plot(CLI::App& app, Invocation& invocation) {
                    "The picture, of several plots the first (others: FILE-name.svg); default: the table's name, here")
       ->type_name("FILE.svg|png|pdf");
   command->add_option("--name", options->name, "Only the plot of this name")->type_name("NAME");
+  command->add_option("--kind", options->kind, "Another plot: error bars against run times")
+      ->check(CLI::IsMember({"precision"}).description(""))
+      ->type_name("precision");
   command->add_option("--x", options->x, "Another field for the x axis, or an expression")->type_name("FIELD");
   command->add_option("--y", options->y, "Another field for the y axis, or an expression")->type_name("FIELD");
   command->add_option("--x-scale", options->x_scale, "Of the x axis")->check(scales)->type_name("linear|log");
@@ -216,6 +246,7 @@ void add_export(CLI::App& app, Invocation& invocation) {
 void add_commands(CLI::App& app, Invocation& invocation) {
   add_run(app, invocation);
   add_merge(app, invocation);
+  add_precision(app, invocation);
   add_plan(app, invocation);
   add_one(app, invocation);
   add_plot(app, invocation);

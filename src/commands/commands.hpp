@@ -27,6 +27,16 @@ int merge(World& world, const MergeOptions& options);
 /// The same, with MPI started for it.
 int merge_on_one_rank(int& argc, char**& argv, const MergeOptions& options);
 
+struct PrecisionOptions {
+  std::string spec, output;  ///< output: the table; empty: default_table(spec)
+  std::optional<std::uint64_t> tuples, repeats;  ///< instead of the spec's
+  bool quiet = false, plots = true;
+};
+/// The precision study, on all ranks; exit codes as of run().
+int precision(World& world, const PrecisionOptions& options);
+/// The same, with MPI started for it.
+int precision_on_all_ranks(int& argc, char**& argv, const PrecisionOptions& options);
+
 struct PlanOptions {
   std::string spec;
   int ranks = 1;
@@ -43,6 +53,7 @@ int one(const OneOptions& options);
 struct PlotOptions {
   std::string table, output;
   std::string name;  ///< of the one plot to draw; empty: all
+  std::string kind;  ///< "precision": error against run time; empty: as the spec says
   std::string x, y, x_scale, y_scale;  ///< instead of the spec's, where not empty; then one plot is drawn
   std::vector<std::string> series;
   bool quiet = false;  ///< the files' names only, no fits

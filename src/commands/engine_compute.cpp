@@ -1,6 +1,8 @@
 #include "engine_compute.hpp"
 
+#include <algorithm>
 #include <ctime>
+#include <utility>
 
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/sweep/cost.hpp"
@@ -15,9 +17,9 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-Collision simulate_or_fail(const Parameters& parameters) noexcept {
+Collision simulate_or_fail(const Parameters& parameters, Patience& patience) noexcept {
   try {
-    return simulate(parameters);
+    return simulate(parameters, &patience);
   } catch (...) {
     Collision failed;
     failed.status = Status::failed;
@@ -27,12 +29,17 @@ Collision simulate_or_fail(const Parameters& parameters) noexcept {
 
 }  // namespace
 
-Row compute_row(const Tuple& tuple, int rank) noexcept {
+double time_limit_of(const Parameters& parameters) { return std::max(60.0, 100.0 * predicted_time(parameters)); }
+
+std::optional<Row> compute_row(const Tuple& tuple, int rank, std::optional<double> limit,
+                               std::function<bool()> to_end) noexcept {
   Row row{.index = tuple.index, .parameters = tuple.parameters, .collision = {}, .timing = {}};
   row.timing.rank = rank;
   row.timing.predicted_time = predicted_time(tuple.parameters);
   const double start = thread_seconds();
-  row.collision = simulate_or_fail(tuple.parameters);
+  Patience patience(limit ? *limit : time_limit_of(tuple.parameters), std::move(to_end));
+  row.collision = simulate_or_fail(tuple.parameters, patience);
+  if (patience.was_stopped()) return std::nullopt;
   row.timing.run_time = thread_seconds() - start;
   return row;
 }

@@ -92,6 +92,9 @@ std::vector<Row> Ledger::carry(const Sweep& sweep, const std::vector<Row>& old) 
 }
 
 void Ledger::take_journal(const Sweep& sweep) {
+  if (const auto dropped = journal_.dropped())
+    remarks_.push_back(fmt::format("{} damaged or torn {} of the journal {} passed over; those rows are computed again",
+                                   dropped, dropped == 1 ? "record" : "records", dropped == 1 ? "is" : "are"));
   for (const Row& row : journal_.recovered()) {
     if (!slice_.place(row.index)) continue;
     if (content_key(row.parameters) == content_key(sweep.at(row.index))) keep(row);
@@ -120,7 +123,8 @@ void Ledger::take_table(const Sweep& sweep, const std::string& path, bool begun,
 }
 
 void Ledger::take_over(const Sweep& sweep, const Source& source) {
-  if (!source.why_not.empty()) remarks_.push_back(fmt::format("nothing taken over: {} {}", source.path, source.why_not));
+  if (!source.why_not.empty())
+    remarks_.push_back(fmt::format("nothing taken over: {} {}", source.path, source.why_not));
   for (const Row& row : rows_among(source.rows, sweep, slice_)) {
     if (have_[*slice_.place(row.index)]) continue;
     journal_.append(row);
@@ -148,6 +152,19 @@ void Ledger::enter(Row row) {
   row.timing.attempt = tried == attempts_.end() ? 1 : tried->second + 1;
   journal_.append(row);
   keep(row);
+}
+
+bool Ledger::has(std::uint64_t row) const {
+  const auto place = slice_.place(row);
+  return place && have_[*place];
+}
+
+void Ledger::quarantine(const Tuple& tuple) {
+  if (!slice_.place(tuple.index)) return;
+  Row row{.index = tuple.index, .parameters = tuple.parameters, .collision = {}, .timing = {}};
+  row.collision.status = Status::quarantined;
+  enter(row);
+  ++kept_;
 }
 
 }  // namespace sigmasweep

@@ -28,8 +28,8 @@ class Ledger {
   /// a journal gives the rows it has, if their parameters are still the same to the bit. A journal with rows is younger
   /// than the table beside it (the run removes it last, and --fresh keeps the table until it can replace it). Rows that
   /// are taken over from elsewhere go to the journal first of all.
-  /// Throws SpecError (more rows than fit into memory; fewer than slices), InputNotFound, OutputError (locked; a table or
-  /// journal of something else, unless `fresh` or, where possible, `extend`), IoError.
+  /// Throws SpecError (more rows than fit into memory; fewer than slices), InputNotFound, OutputError (locked; a table
+  /// or journal of something else, unless `fresh` or, where possible, `extend`), IoError.
   Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options);
 
   bool table_is_complete() const { return table_is_complete_; }
@@ -43,6 +43,9 @@ class Ledger {
 
   /// A row came in: to the journal, then to rows(). Throws IoError.
   void enter(Row row);
+  bool has(std::uint64_t row) const;
+  /// A row that is not to be computed: it is there from now on, as Status::quarantined. Throws IoError.
+  void quarantine(const Tuple& tuple);
   void sync() { journal_.sync(); }
   /// The table is written and checked, or was there: the journal is not needed any more.
   void close() { journal_.remove(); }

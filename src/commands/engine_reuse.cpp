@@ -14,7 +14,8 @@ namespace sigmasweep {
 std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const Slice& slice) {
   std::unordered_map<std::uint64_t, const Row*> known;
   known.reserve(old.size());
-  for (const Row& row : old) known.emplace(content_key(row.parameters), &row);
+  for (const Row& row : old)
+    if (is_reproducible(row.collision.status)) known.emplace(content_key(row.parameters), &row);
   std::vector<Row> rows;
   for (std::uint64_t k = 0; k < slice.size(sweep.size()); ++k) {
     Row row;
@@ -35,7 +36,8 @@ ReusableRows reusable_rows(const std::string& path) {
   if (info.physics_version != physics_version)
     return {{}, fmt::format("was computed with physics version {}, this program has {}", info.physics_version,
                             physics_version)};
-  if (info.build != build_name()) return {{}, "was computed by another build of the program, whose last digits may differ"};
+  if (info.build != build_name())
+    return {{}, "was computed by another build of the program, whose last digits may differ"};
   if (!stored.sweep) return {{}, "has a spec that this program cannot read"};
   return {std::move(stored.table.rows), {}};
 }

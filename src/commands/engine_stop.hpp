@@ -6,8 +6,8 @@
 
 namespace sigmasweep {
 
-/// While it lives, SIGTERM, SIGINT and SIGUSR1 ask this rank to stop instead of killing it; so does the end of its time,
-/// if there is one. One at a time.
+/// While it lives, SIGTERM, SIGINT and SIGUSR1 ask this rank to stop instead of killing it; so does the end of its
+/// time, if there is one. One at a time.
 class StopRequest {
  public:
   using Clock = std::chrono::steady_clock;

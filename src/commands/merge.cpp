@@ -54,7 +54,8 @@ void add(std::vector<Row>& rows, const Table& part, const std::string& path) {
   for (const Row& row : part.rows) {
     Row& there = rows[row.index];
     if (!is_there(there)) there = row;
-    else if (!same_bits(there, row) && ++count <= 10) differing += fmt::format("{}{}", count > 1 ? ", " : "", row.index);
+    else if (!same_bits(there, row) && ++count <= 10)
+      differing += fmt::format("{}{}", count > 1 ? ", " : "", row.index);
   }
   if (count > 0)
     refuse(fmt::format("{} has {} rows with other results than another part has for them: {}{}", path, count, differing,

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -65,7 +66,8 @@ void print_result(const std::vector<Field>& columns, const Row& row) {
 
 int one(const OneOptions& options) {
   const Sweep sweep = sweep_of(options);
-  const Row row = compute_row({.index = 0, .parameters = sweep.at(0)}, 0);
+  constexpr double no_limit = std::numeric_limits<double>::infinity();
+  const Row row = *compute_row({.index = 0, .parameters = sweep.at(0)}, 0, no_limit);
   std::vector<Field> columns;  // what a table would have, what was given, and what follows from it
   for (const Field& field : parameter_fields()) {
     const bool column = std::ranges::any_of(sweep.columns(), [&](const Field& f) { return f.name == field.name; });

@@ -7,6 +7,7 @@
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/schedule.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "stability_warning.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -96,6 +97,8 @@ void print_json(const Sweep& sweep, const Plan& plan, int ranks) {
 int plan(const PlanOptions& options) {
   const Sweep sweep = Sweep::load(options.spec);
   const Plan result = plan_of(sweep, options.ranks);
+  if (const std::string warning = stability_warning(sweep); !warning.empty())
+    fmt::print(stderr, "sigmasweep: {}\n", warning);
   if (options.json)
     print_json(sweep, result, options.ranks);
   else

@@ -6,6 +6,7 @@
 #include "plot_films.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/plot.hpp"
+#include "sigmasweep/report/precision.hpp"
 #include "sigmasweep/sweep/spelling.hpp"
 #include "stored_sweep.hpp"
 
@@ -56,6 +57,11 @@ int plot(const PlotOptions& options) {
   const std::filesystem::path table(options.table);
   const std::string main_file =
       options.output.empty() ? table.filename().replace_extension(".svg").string() : options.output;
+  if (options.kind == "precision") {
+    plot_precision_of(stored.table.rows, stored.table.info.title, main_file);
+    fmt::print("{}\n", main_file);
+    return 0;
+  }
   for (const PlotSpec& spec : plots) {
     const bool has_main_file =
         spec.name == all[0].name || (!options.name.empty() && !options.output.empty());

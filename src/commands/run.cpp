@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -23,10 +24,13 @@
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/progress.hpp"
 #include "sigmasweep/report/summary.hpp"
+#include "sigmasweep/store/in_flight.hpp"
 #include "sigmasweep/store/table.hpp"
+#include "sigmasweep/store/together.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "slurm_job.hpp"
+#include "stability_warning.hpp"
 #include "trajectory_files.hpp"
 
 namespace sigmasweep {
@@ -81,6 +85,7 @@ class Run {
     if (const int code = begin(); code != success) return code;
     if (const int code = keep_time(); code != success) return code;
     if (world_.broadcast(std::int64_t{ledger_ && ledger_->table_is_complete()}) == 0) {
+      if (const int code = keep_notes(); code != success) return code;
       if (const int code = compute(); code != success) return code;
       if (const int code = write(); code != success) return code;
     }
@@ -91,6 +96,7 @@ class Run {
  private:
   int begin();
   int keep_time();
+  int keep_notes();
   int compute();
   int write();
   int film();
@@ -110,6 +116,7 @@ class Run {
   const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   const std::string table_, start_ = utc_now();
   std::optional<Sweep> sweep_;
+  std::optional<InFlight> in_flight_;
   // the manager's:
   std::optional<Ledger> ledger_;
   std::optional<Deadline> deadline_;
@@ -164,6 +171,32 @@ int Run::keep_time() {
   return success;
 }
 
+/// From here on what a run dies of can be known to the next one; and rows of which that is known are not tried again.
+int Run::keep_notes() {
+  constexpr std::uint64_t too_often = 2;
+  InFlightIdentity identity{sweep_->hash(), sweep_->size(), std::random_device{}()};
+  identity.run = static_cast<std::uint64_t>(world_.broadcast(static_cast<std::int64_t>(identity.run)));
+  const int code = on_manager(world_, [&] {
+    for (const auto& [row, deaths] : begin_in_flight(table_, identity, world_.size(), options_.fresh)) {
+      if (deaths < too_often || ledger_->has(row)) continue;
+      ledger_->quarantine({row, sweep_->at(row)});
+      say(fmt::format("sigmasweep: row {} is left out, {} processes died while they computed it\n", row, deaths));
+    }
+    return success;
+  });
+  if (code != success) return code;
+  try {
+    together(static_cast<MPI_Comm>(world_.native()), [&] {
+      in_flight_.emplace(table_, identity, world_.rank());
+      return std::uint64_t{0};
+    });
+  } catch (const Error& error) {  // the same on all ranks; the manager's is enough
+    if (world_.is_manager()) throw;
+    return error.exit_code();
+  }
+  return success;
+}
+
 bool Run::manager_computes() const {
   const ManagerRole role = sweep_->manager();
   return world_.size() == 1 || role == ManagerRole::computes ||
@@ -181,6 +214,8 @@ Schedule Run::schedule() const {
 int Run::compute() {
   std::optional<Schedule> to_do;
   const int ready = on_manager(world_, [&] {
+    if (const std::string warning = stability_warning(*sweep_); !warning.empty())
+      say(fmt::format("sigmasweep: {}\n", warning));
     to_do.emplace(schedule());
     progress_.emplace(rows() - ledger_->kept(), to_do->total_seconds(), world_.size(), options_.quiet);
     return success;
@@ -189,7 +224,12 @@ int Run::compute() {
 
   Job job;
   job.tuple = [this](std::uint64_t row) { return sweep_->at(row); };
-  job.compute = [rank = world_.rank()](const Tuple& tuple) { return compute_row(tuple, rank); };
+  job.compute = [this](const Tuple& tuple, const std::function<bool()>& to_end) {
+    in_flight_->begin(tuple.index);
+    const auto row = compute_row(tuple, world_.rank(), sweep_->tuple_time_limit(), to_end);
+    in_flight_->end();
+    return row;
+  };
   job.finished = [this](const Row& row) { take(row); };
   job.stop = [this] {
     if (progress_) progress_->add(0, 0.0);
@@ -203,6 +243,7 @@ int Run::compute() {
 
   return on_manager(world_, [this] {
     progress_->finish();
+    end_in_flight(table_, ledger_->is_complete());
     if (trouble_) std::rethrow_exception(trouble_);
     ledger_->sync();
     if (ledger_->is_complete()) return success;

@@ -14,13 +14,12 @@ namespace {
   world.abort(exit_code);
 }
 
-}  // namespace
-
-int run_on_all_ranks(int& argc, char**& argv, const RunOptions& options) {
+template <class Command>
+int on_all_ranks(int& argc, char**& argv, Command command) {
   constexpr int internal_error = 70;
   World world(argc, argv);
   try {
-    return run(world, options);
+    return command(world);
   } catch (const Error& error) {
     if (!world.is_manager()) abort_all(world, error.exit_code(), error.what());
     // The other ranks know, and leave with the same code. Say it before MPI ends: once the first of them is gone,
@@ -30,6 +29,16 @@ int run_on_all_ranks(int& argc, char**& argv, const RunOptions& options) {
   } catch (const std::exception& error) {
     abort_all(world, internal_error, error.what());
   }
+}
+
+}  // namespace
+
+int run_on_all_ranks(int& argc, char**& argv, const RunOptions& options) {
+  return on_all_ranks(argc, argv, [&](World& world) { return run(world, options); });
+}
+
+int precision_on_all_ranks(int& argc, char**& argv, const PrecisionOptions& options) {
+  return on_all_ranks(argc, argv, [&](World& world) { return precision(world, options); });
 }
 
 int merge_on_one_rank(int& argc, char**& argv, const MergeOptions& options) {

@@ -10,10 +10,9 @@
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cstdlib>
-#include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -45,6 +44,19 @@ std::optional<std::string> read_all(int fd, Clock::time_point end) {
   }
 }
 
+/// Its exit status (0 where the system keeps none: SIGCHLD is ignored); it is killed if it has none in time.
+int end_of(pid_t child, Clock::time_point end) {
+  int status = 0;
+  bool killed = false;
+  for (;;) {
+    const pid_t ended = ::waitpid(child, &status, killed ? 0 : WNOHANG);
+    if (ended == child) return status;
+    if (ended < 0 && errno != EINTR) return 0;
+    if (!killed && Clock::now() >= end) killed = ::kill(child, SIGKILL) == 0;
+    if (!killed) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
 /// What the program prints, if it ends in time and well. No shell is involved.
 std::optional<std::string> output_of(std::vector<std::string> words) {
   std::array<int, 2> pipe_ends;
@@ -63,10 +75,9 @@ std::optional<std::string> output_of(std::vector<std::string> words) {
   ::close(pipe_ends[1]);
   std::optional<std::string> text;
   if (error == 0) {
-    text = read_all(pipe_ends[0], Clock::now() + patience);
-    if (!text) ::kill(child, SIGKILL);
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    const auto end = Clock::now() + patience;
+    text = read_all(pipe_ends[0], end);
+    const int status = end_of(child, text ? end : Clock::now());
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) text.reset();
   }
   ::close(pipe_ends[0]);

@@ -53,7 +53,8 @@ std::string repeat_command(const Row& row) {
     static constexpr auto always =
         std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "epsilon", "beta", "gamma"});
     const bool needed = std::find(always.begin(), always.end(), field.name) != always.end();
-    if (!needed && number(field, row) == number(field, defaults)) continue;
+    const bool chooses = field.name == "tolerance" && row.parameters.steps_per_tc == 0.0;  // the step, by being given
+    if (!needed && !chooses && number(field, row) == number(field, defaults)) continue;
     std::string option(field.name);
     std::replace(option.begin(), option.end(), '_', '-');
     command += fmt::format(" --{} {}", option, text(field, row));

@@ -47,6 +47,7 @@ std::size_t Curves::curve_of(const Row& row) {
   std::string label, name;
   for (const Field* field : series_) {
     if (!merged || !same_for_hard_spheres(*field)) key.push_back(number(*field, row));
+    if (field->name == "ed_rule" && (line || !hard)) continue;  // said already, or of no meaning
     if (line && (field->name == "method" || (lrv && same_for_hard_spheres(*field)))) continue;
     append(label, value_label(*field, row));
     append(name, plain(*field, row));

@@ -172,7 +172,7 @@ Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::str
   if (spec.fit) append(figure.note, fit_all(figure.curves, *spec.fit));
   set_ranges(figure, spec);
   figure.guides = guides.take(figure);
-  take_turns(figure);
+  if (spec.mean_over.empty()) take_turns(figure);  // means are few, and their bars cannot stand in for each other
   return figure;
 }
 

@@ -18,6 +18,7 @@ namespace {
 constexpr auto colours =
     std::to_array<std::string_view>({"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7F6000"});
 constexpr auto symbols = std::to_array<int>({6, 4, 8, 12, 10, 2, 14, 1});
+constexpr auto curve_dashes = std::to_array<std::string_view>({"(12,7)", "(3,4)", "(14,4,3,4)", "(6,4)"});
 constexpr auto guide_dashes = std::to_array<std::string_view>({"(8,6)", "(2,4)", "(10,4,2,4)"});
 constexpr std::size_t longest_key = 24;
 
@@ -168,8 +169,13 @@ class Drawing {
     std::size_t style = 0;
     for (const Curve& curve : figure.curves)
       if (!curve.line) add_symbols(curve, figure, style++);
+    std::size_t rule = 0;
     for (const Curve& curve : figure.curves)
-      if (curve.line) add(curve.path, "with lines dashtype (12,7) linewidth 2 linecolor '#202020'", curve.label);
+      if (curve.line)
+        add(curve.path,
+            fmt::format("with lines dashtype {} linewidth 2 linecolor '#202020'",
+                        curve_dashes[rule++ % curve_dashes.size()]),
+            curve.label);
     for (std::size_t i = 0; i < figure.guides.size(); ++i)
       add({figure.guides[i].from, figure.guides[i].to},
           fmt::format("with lines dashtype {} linewidth 1.4 linecolor '#505050'",

@@ -19,7 +19,7 @@ constexpr double same_sigma = 1e-12;  // a few hundred roundings: s0/(v0 tc) of 
 
 /// What must be equal, beside sigma, for two rows to be the same point.
 auto kind(const Parameters& p) {
-  const double accuracy = p.integrator == Integrator::exact ? p.tolerance : p.steps_per_tc;
+  const double accuracy = p.integrator == Integrator::exact || p.steps_per_tc == 0.0 ? p.tolerance : p.steps_per_tc;
   const auto [beta, gamma] = exponents(p);
   return std::tuple(p.N, p.epsilon, p.method, p.wall, p.integrator, accuracy, beta, gamma, p.ed_rule, p.width / p.d,
                     p.random_separation, p.seed);

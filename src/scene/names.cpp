@@ -13,9 +13,10 @@ constexpr std::array<string_view, 3> material_names{"none", "steel", "aluminium"
 constexpr std::array<string_view, 2> ed_rule_names{"lrv", "tc"};
 constexpr std::array<string_view, 2> flag_names{"false", "true"};
 constexpr std::array<string_view, 3> end_names{"none", "separated", "settled"};
-constexpr std::array<string_view, 9> status_names{"ok",         "collapsed",   "tolerance_missed",
+constexpr std::array<string_view, 10> status_names{"ok",         "collapsed",   "tolerance_missed",
                                                   "unstable",   "event_limit", "time_limit",
-                                                  "non_finite", "failed",      "not_run"};
+                                                  "non_finite", "failed",      "not_run",
+                                                   "quarantined"};
 
 // One name an enumerator: a new enumerator without a name does not compile.
 static_assert(method_names.size() == static_cast<std::size_t>(Method::ed) + 1);
@@ -26,7 +27,7 @@ static_assert(material_names.size() == static_cast<std::size_t>(Material::alumin
 static_assert(ed_rule_names.size() == static_cast<std::size_t>(EdRule::tc) + 1);
 static_assert(flag_names.size() == static_cast<std::size_t>(Flag::yes) + 1);
 static_assert(end_names.size() == static_cast<std::size_t>(End::settled) + 1);
-static_assert(status_names.size() == static_cast<std::size_t>(Status::not_run) + 1);
+static_assert(status_names.size() == static_cast<std::size_t>(Status::quarantined) + 1);
 
 }  // namespace
 

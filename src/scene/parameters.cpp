@@ -1,7 +1,7 @@
 #include "sigmasweep/scene/parameters.hpp"
 
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -45,13 +45,17 @@ void give_material(Parameters& p) {
   }
 }
 
-/// tc and epsilon at v0 from K_over_m and D_n.
+/// tc and epsilon at v0 from K_over_m and D_n. A pair that never comes apart has no contact time: the one without
+/// damping, pi/sqrt(K_over_m), is the unit of time then, as (A2) is for the other laws.
 void give_pair(Parameters& p) {
   if (!(p.K_over_m > 0.0)) return;
   const PairLaw law{exponents(p), p.K_over_m, 2.0 * p.D_n};
   const PairCollision pair = collide(law, p.v0);
-  p.tc = law.exponents.linear() ? pair.duration : theory::contact_time(law, p.v0);
-  p.epsilon = pair.eps > 0.0 ? pair.eps : std::numeric_limits<double>::quiet_NaN();
+  p.epsilon = pair.eps;
+  if (!law.exponents.linear())
+    p.tc = theory::contact_time(law, p.v0);
+  else
+    p.tc = pair.eps > 0.0 ? pair.duration : std::numbers::pi / std::sqrt(p.K_over_m);
 }
 
 /// One product for both ways: rows with the same s0, v0, tc get the same sigma to the bit. Nothing to divide when
@@ -76,20 +80,21 @@ std::string why_invalid(const Parameters& p) {
   if (!not_negative(p.D_n)) return refuse("D_n", p.D_n, "finite and >= 0");
   if (!within(p.beta, 0.0, 4.0)) return refuse("beta", p.beta, "from 0 to 4");
   if (!within(p.gamma, 0.0, 4.0)) return refuse("gamma", p.gamma, "from 0 to 4");
-  if (p.K_over_m > 0.0 && std::isnan(p.epsilon))
-    return fmt::format("K_over_m = {}, D_n = {} are not allowed: at {} m/s a pair is too damped to come apart again.",
-                       p.K_over_m, p.D_n, p.v0);
+  const bool sticks = p.K_over_m > 0.0 && p.epsilon == 0.0;
+  if (sticks && p.method == Method::ed)
+    return fmt::format("K_over_m = {}, D_n = {} are not allowed with method = 'ed': at {} m/s a pair is too damped to "
+                       "come apart again, and hard spheres need epsilon > 0.", p.K_over_m, p.D_n, p.v0);
   if (!positive(p.v0)) return refuse("v0", p.v0, "a finite speed > 0 m/s");
   if (!positive(p.tc)) return refuse("tc", p.tc, "a finite time > 0 s");
   if (!not_negative(p.s0)) return refuse("s0", p.s0, "a finite length >= 0 m");
   if (!not_negative(p.sigma)) return refuse("sigma", p.sigma, "finite and >= 0 (sigma = s0/(v0 tc))");
-  if (!positive(p.epsilon) || p.epsilon > 1.0) return refuse("epsilon", p.epsilon, "> 0 and <= 1");
+  if (!sticks && (!positive(p.epsilon) || p.epsilon > 1.0)) return refuse("epsilon", p.epsilon, "> 0 and <= 1");
   if (!positive(p.d)) return refuse("d", p.d, "a finite length > 0 m");
-  if (!within(p.width, 0.0, 1.9 * p.d)) return refuse("width", p.width, "from 0 to 1.9 d");
+  if (!within(p.width, 0.0, 1.99 * p.d)) return refuse("width", p.width, "from 0 to 1.99 d");
   if (p.seed < 0) return fmt::format("seed = {} is not allowed: it must be >= 0.", p.seed);
   if (p.N < 1 || p.N > max_beads)
     return fmt::format("N = {} is not allowed: it must be a whole number from 1 to {}.", p.N, max_beads);
-  if (!within(p.steps_per_tc, 2.0, 1e6)) return refuse("steps_per_tc", p.steps_per_tc, "from 2 to 1e6");
+  if (p.steps_per_tc != 0.0 && !within(p.steps_per_tc, 2.0, 1e6)) return refuse("steps_per_tc", p.steps_per_tc, "from 2 to 1e6");
   if (!within(p.tolerance, 1e-15, 0.1)) return refuse("tolerance", p.tolerance, "from 1e-15 to 0.1");
   return {};
 }

@@ -48,7 +48,8 @@ PairLaw reduced_pair(const Parameters& p, Exponents e) {
 }
 
 /// Springs and dashpots over the bead mass m: with m_red = m/2 and m_ij = m a pair has K/m = k/2 and D_n = b/2; for the
-/// linear law k = omega0^2 and b = 2 mu, Eqs. (3), (5).
+/// linear law k = omega0^2 and b = 2 mu, Eqs. (3), (5), straight from K_over_m and D_n where these are given: (tc,
+/// epsilon) know nothing of pairs that do not oscillate.
 template <class Real>
 struct Stiffness {
   Real K, C;
@@ -56,6 +57,10 @@ struct Stiffness {
 template <class Real>
 Stiffness<Real> stiffness(const Parameters& p, const Real& speed, const Real& tc) {
   const Exponents e = exponents(p);
+  if (e.linear() && p.K_over_m > 0.0) {
+    const Real unit = Real(p.tc) / tc;  // of time, s
+    return {Real(p.K_over_m) * unit * unit / 2, Real(p.D_n) * unit};
+  }
   if (e.linear()) {
     const Oscillator<Real> pair = oscillator<Real>(tc, Real(p.epsilon));
     return {pair.omega0_2 / 2, pair.mu};
@@ -79,7 +84,7 @@ Column<Real> column(const Parameters& p, Real gap, Real speed, Real tc) {
           .speed = speed,
           .tc = tc,
           .eps = eps,
-          .eps_wall = matched ? eps : wall_restitution<Real>(eps),
+          .eps_wall = matched || eps == Real(0) ? eps : wall_restitution<Real>(eps),
           .K = K,
           .C = C,
           .K_wall = matched ? Real(2 * K) : K,

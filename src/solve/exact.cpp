@@ -17,9 +17,26 @@ Outcome<Real> exact_collision(const Column<Real>& column, const ExactOptions& op
   if (column.is_uniform()) return ExactColumn<Real, 0, false>(column, options).run();
   return ExactColumn<Real, 0, true>(column, options).run();
 }
+
+template <class Real>
+Outcome<Real> exact_collision_from(const Column<Real>& column, std::span<const Real> rates,
+                                   const ExactOptions& options) {
+  if (!column.exponents.linear()) throw std::invalid_argument("exact_collision_from: not the linear law");
+  if (rates.size() != column.contacts()) throw std::invalid_argument("exact_collision_from: one rate a contact");
+  const auto run = [&](auto exact) {
+    exact.start_from(rates);
+    return exact.run();
+  };
+  return column.is_uniform() ? run(ExactColumn<Real, 0, false>(column, options))
+                             : run(ExactColumn<Real, 0, true>(column, options));
+}
+
 template Outcome<double> exact_collision(const Column<double>&, const ExactOptions&);
 template Outcome<long double> exact_collision(const Column<long double>&, const ExactOptions&);
 template Outcome<Quad> exact_collision(const Column<Quad>&, const ExactOptions&);
+template Outcome<double> exact_collision_from(const Column<double>&, std::span<const double>, const ExactOptions&);
+template Outcome<long double> exact_collision_from(const Column<long double>&, std::span<const long double>,
+                                                   const ExactOptions&);
 
 namespace {
 
@@ -48,7 +65,9 @@ Collision computed_from(const Column<Real>& column, const Parameters& p, const E
   if (c.status != Status::ok) return c;
   const Real rounding = std::numeric_limits<Real>::epsilon();
   const double roundings = last_roundings + drift * double(exact.work()) / double(p.N);
-  const Real error = exact.error(safety) + Real(roundings) * rounding * Real(c.eps_eff);
+  // K_over_m and D_n near critical damping: restitution may be small, and has the roundings of numbers of order one.
+  const Real size = p.K_over_m > 0.0 ? Real(1) : Real(c.eps_eff);
+  const Real error = exact.error(safety) + Real(roundings) * rounding * size;
   c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;
   return c;
 }
@@ -87,8 +106,9 @@ double spread(const Parameters& p, const ExactOptions& options, double eps_eff) 
 
 }  // namespace
 
-Collision simulate_exact(const Parameters& p) {
+Collision simulate_exact(const Parameters& p, Patience* patience) {
   ExactOptions options;
+  options.patience = patience;
   options.settle = 1e-3 * p.tolerance;
   Effort effort;
   Collision c = computed_in<double>(p, options, effort);

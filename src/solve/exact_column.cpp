@@ -24,7 +24,17 @@ ExactColumn<Real, Disturbances, Uneven>::ExactColumn(const Column<Real>& column,
   }
   for (std::size_t k = 1; k < N_; ++k) x_[k] = -column.initial_gap(k);  // the wall's only shifts the clock
   u_[0] = column.speed;
+  do closed_[closed_count_++] = 1;
+  while (closed_count_ < N_ && x_[closed_count_] == Real(0));
   disturb_gaps();
+}
+
+template <class Real, int Disturbances, bool Uneven>
+void ExactColumn<Real, Disturbances, Uneven>::start_from(std::span<const Real> rates) {
+  closed_.assign(N_, 0);
+  closed_count_ = 0;
+  x_[0] = -column_.initial_gap(0);
+  u_.assign(rates.begin(), rates.end());
 }
 
 /// The gaps are rounded numbers too: all of them the same way, as sigma is, or each for itself.
@@ -48,8 +58,6 @@ template <class Real, int Disturbances, bool Uneven>
 template <class Watcher>
 Outcome<Real> ExactColumn<Real, Disturbances, Uneven>::run(Watcher& watcher) {
   Outcome<Real> outcome;
-  do closed_[closed_count_++] = 1;
-  while (closed_count_ < N_ && x_[closed_count_] == Real(0));
   regroup({0, N_ - 1}, Real(0));
 
   const std::uint64_t step_limit = 8 * options_.event_limit;
@@ -66,6 +74,10 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven>::run(Watcher& watcher) {
     }
     if (contacts_ >= options_.event_limit || step >= step_limit || work_ >= options_.work_limit || !(t >= 0)) {
       outcome.status = t >= 0 ? Status::event_limit : Status::non_finite;
+      break;
+    }
+    if (options_.patience && options_.patience->is_over(1 + closed_count_)) {
+      outcome.status = Status::time_limit;
       break;
     }
     if (group_of_[next] != none)

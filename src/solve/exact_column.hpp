@@ -32,6 +32,8 @@ template <class Real, int Disturbances, bool Uneven>
 class ExactColumn {
  public:
   ExactColumn(const Column<Real>& column, const ExactOptions& options);
+  /// Before run(): all contacts open, gaps as in the column (the wall's, too), and these closing speeds. Time 0 is now.
+  void start_from(std::span<const Real> rates);
   Outcome<Real> run();
   /// The same, seen by a watcher (samples.hpp), and over with its last sample. Samples: double without disturbances.
   template <class Watcher>

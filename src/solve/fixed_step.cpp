@@ -15,9 +15,7 @@
 #include "fixed_step_gear5.hpp"
 #include "fixed_step_rk4.hpp"
 #include "fixed_step_verlet.hpp"
-#include "in_si.hpp"
 #include "samples.hpp"
-#include "sigmasweep/solve/simulate.hpp"
 
 namespace sigmasweep {
 
@@ -53,7 +51,11 @@ class Run {
       if (!any_closed_ && scheme_.coasts()) cross_free_flight();
       if (outcome_.end != End::none) break;
       advance();
-      if (++steps_ % 16 == 0) check_energy();
+      if (++steps_ % 16 == 0) {
+        check_energy();
+        if (options_.patience && options_.patience->is_over(16 * chain_.contacts) && outcome_.status == Status::ok)
+          outcome_.status = Status::time_limit;
+      }
       if (steps_ % 65536 == 0) check_creep();
       if (static_cast<double>(steps_) > options_.step_limit && outcome_.status == Status::ok)
         outcome_.status = Status::event_limit;
@@ -193,6 +195,7 @@ class Run {
   }
 
   Outcome<double> result() {
+    if (options_.steps) *options_.steps = steps_;
     outcome_.velocity = velocities();
     for (double& v : outcome_.velocity) v /= dt_;
     for (std::size_t k = 0; k < chain_.contacts; ++k) outcome_.x_max = std::max(outcome_.x_max, deepest_[k]);
@@ -256,23 +259,6 @@ Outcome<double> fixed_step_collision(const Column<double>& column, Integrator in
 
 void watch_fixed_step(const Column<double>& column, Integrator integrator, double dt, Samples& samples) {
   watched_by(samples, column, integrator, dt, {.settle = 0.0});  // to the last sample
-}
-
-Collision simulate_fixed_step(const Parameters& parameters) {
-  const Column<double> column = reduced_column<double>(parameters);
-  const double settle = 1e-3 * parameters.tolerance;
-  const Outcome<double> outcome =
-      fixed_step_collision(column, parameters.integrator, 1.0 / parameters.steps_per_tc, {.settle = settle});
-  Collision collision = in_si<double>(outcome, parameters, column.mass);
-  if (!is_success(collision.status)) return collision;
-  Parameters reference = parameters;
-  reference.integrator = Integrator::exact;
-  const Collision exact = simulate(reference);
-  // Both lie between 0 and 1 where nothing better is known.
-  const double worst = std::max(collision.eps_eff, std::fabs(1.0 - collision.eps_eff));
-  const double error = std::fabs(collision.eps_eff - exact.eps_eff) + exact.eps_eff_error;
-  collision.eps_eff_error = error <= worst ? error : worst;
-  return collision;
 }
 
 }  // namespace sigmasweep

@@ -63,6 +63,10 @@ class HardSphereColumn {
         outcome_.status = Status::event_limit;
         break;
       }
+      if (options_.patience && options_.patience->is_over(1)) {
+        outcome_.status = Status::time_limit;
+        break;
+      }
       if (const std::size_t k = impacts_.first(); impacts_.time_of(k) < 0.0)
         meet(k);
       else
@@ -305,8 +309,9 @@ double condition(Column<double> column, HardSphereOptions options, double eps_ef
 
 }  // namespace
 
-Collision simulate_hard_spheres(const Parameters& parameters) {
-  const HardSphereOptions options{.settle = 1e-3 * parameters.tolerance, .rule = parameters.ed_rule};
+Collision simulate_hard_spheres(const Parameters& parameters, Patience* patience) {
+  const HardSphereOptions options{
+      .settle = 1e-3 * parameters.tolerance, .rule = parameters.ed_rule, .patience = patience};
   const Column<double> column = reduced_column<double>(parameters);
   const std::span<const double> mass = column.mass;
   Outcome<double> outcome = hard_sphere_collision(column, options);

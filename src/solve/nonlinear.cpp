@@ -52,8 +52,9 @@ Collision pair_of_runs(const Parameters& p, const NonlinearOptions& options) {
 
 }  // namespace
 
-Collision simulate_nonlinear(const Parameters& p) {
+Collision simulate_nonlinear(const Parameters& p, Patience* patience) {
   NonlinearOptions options;
+  options.patience = patience;
   options.settle = 1e-3 * p.tolerance;
   options.accuracy = std::max(1e-3 * p.tolerance, finest_double);
   Collision c = pair_of_runs<double>(p, options);

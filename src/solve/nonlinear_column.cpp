@@ -45,6 +45,8 @@ Outcome<Real> NonlinearColumn<Real>::run(Watcher& watcher) {
       outcome.status = Status::non_finite;
     else if (contacts_ >= options_.event_limit || work_ >= options_.work_limit)
       outcome.status = Status::event_limit;
+    else if (options_.patience && options_.patience->is_over(N_))
+      outcome.status = Status::time_limit;
     else if (is_settled())
       outcome.end = End::settled;
     else

@@ -18,15 +18,20 @@ Collision without_result(Status status) {
   return nothing;
 }
 
+Collision simulated(const Parameters& parameters, Patience* patience) {
+  if (parameters.method == Method::ed) return simulate_hard_spheres(parameters, patience);
+  if (parameters.integrator != Integrator::exact) return simulate_fixed_step(parameters, patience);
+  return exponents(parameters).linear() ? simulate_exact(parameters, patience)
+                                        : simulate_nonlinear(parameters, patience);
+}
+
 }  // namespace
 
-Collision simulate(const Parameters& parameters) {
+Collision simulate(const Parameters& parameters, Patience* patience) {
   if (!why_invalid(parameters).empty()) return without_result(Status::failed);
   try {
-    if (parameters.method == Method::ed) return simulate_hard_spheres(parameters);
-    if (parameters.integrator == Integrator::exact)
-      return exponents(parameters).linear() ? simulate_exact(parameters) : simulate_nonlinear(parameters);
-    return simulate_fixed_step(parameters);
+    const Collision collision = simulated(parameters, patience);
+    return patience && patience->was_over() ? without_result(Status::time_limit) : collision;
   } catch (const std::exception&) {  // memory, most likely
     return without_result(Status::failed);
   }

@@ -22,13 +22,15 @@ class StepLengths;
 /// s^2 + lambda C s + lambda K = 0. The largest eigenvalue lambda of a chain of c contacts is
 ///     2 + 2 cos(pi/(c+1))       for a free chain,
 ///     2 + 2 cos(2 pi/(2c+1))    for one at the wall, if the wall has a pair's spring and dashpot;
-/// a wall of twice these raises it to at most 3 + sqrt 2 (Gershgorin), or 2 for c = 1.
+/// a wall of twice these raises it to at most 3 + sqrt 2 (Gershgorin), or 2 for c = 1. Any other wall: the bounds of
+/// StepLengths<Real, true>, below.
 template <class Real>
 class StepLengths<Real, false> {
  public:
   explicit StepLengths(const Column<Real>& column) : K_(column.K), C_(column.C) {
     const double pi = 3.14159265358979323846;
-    const bool paper = column.K_wall == column.K;
+    const bool paper = column.K_wall == column.K && column.C_wall == column.C;
+    const bool matched = column.K_wall == 2 * column.K && column.C_wall == 2 * column.C;
     const std::size_t used = std::min(longest_chain, std::size_t(column.N));
     for (std::size_t c = 1; c <= used; ++c) {
       const double n = double(c);
@@ -39,6 +41,7 @@ class StepLengths<Real, false> {
     free_[0] = reach(4.0);
     wall_[0] = reach(paper ? 4.0 : 3.0 + std::sqrt(2.0));
     unconnected_ = reach(1.0);
+    if (!paper && !matched) take_wall(column);
   }
 
   /// The shortest of what the chains within the contacts lo..hi allow.
@@ -53,6 +56,14 @@ class StepLengths<Real, false> {
   }
 
  private:
+  void take_wall(const Column<Real>& column) {
+    using std::sqrt;
+    const auto within = [](const Real& AK, const Real& AC) {
+      return Real(Real(taylor_reach) / std::max(Real(sqrt(AK)), AC));
+    };
+    wall_.fill(within(column.K_wall + 3 * column.K, column.C_wall + 3 * column.C));
+    wall_[1] = within(column.K_wall, column.C_wall);
+  }
   const Real& free(std::size_t chain) const { return free_[chain > longest_chain ? 0 : chain]; }
   const Real& at_wall(std::size_t chain) const { return wall_[chain > longest_chain ? 0 : chain]; }
   Real reach(double lambda) const {

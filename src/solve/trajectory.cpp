@@ -8,6 +8,7 @@
 #include "nonlinear_column.hpp"
 #include "samples.hpp"
 #include "sigmasweep/solve/column.hpp"
+#include "sigmasweep/solve/fixed_step.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -40,7 +41,7 @@ Units units_of(const Parameters& p, const Column<double>& column) {
 
 void watch(const Parameters& p, const Column<double>& column, Samples& samples) {
   if (p.method == Method::ed) return watch_hard_spheres(column, p.ed_rule, samples);
-  if (p.integrator != Integrator::exact) return watch_fixed_step(column, p.integrator, 1.0 / p.steps_per_tc, samples);
+  if (p.integrator != Integrator::exact) return watch_fixed_step(column, p.integrator, 1.0 / steps_taken(p), samples);
   const double start = -column.initial_gap(0) / column.speed;
   const auto falling = [&](double t, auto x, auto u) { fall(column, t - start, x, u); };
   samples.until(std::nextafter(0.0, -1.0), falling);

@@ -72,8 +72,8 @@ std::string why_unusable(const JournalHeader& found, std::size_t size, const Jou
   if (found.record_size != wanted.record_size || found.layout != wanted.layout)
     return "is a journal of another version of sigmasweep (its rows hold other fields)";
   if (found.spec_hash != wanted.spec_hash)
-    return fmt::format("belongs to another sweep spec or slice (its hash is {:016x}, this one's {:016x})", found.spec_hash,
-                       wanted.spec_hash);
+    return fmt::format("belongs to another sweep spec or slice (its hash is {:016x}, this one's {:016x})",
+                       found.spec_hash, wanted.spec_hash);
   if (found.physics_version != wanted.physics_version)
     return fmt::format("was begun with physics version {}, this program has {}", found.physics_version,
                        wanted.physics_version);

@@ -92,9 +92,13 @@ std::uint64_t write_dataset(const Team& team, hid_t dataset, const Section& sect
   std::uint64_t checksum = 0;
   for (std::uint64_t i = 0; i < transfers; ++i) {
     const auto rows = block.rows.subspan(0, std::min<std::uint64_t>(at_a_time, block.rows.size()));
-    team.together([&] {
+    Handle in_memory, in_file;
+    team.together([&] {  // apart from the write: a rank that fails alone here must not leave the others waiting there
       for (std::size_t k = 0; k < rows.size(); ++k) pack(section.fields, rows[k], buffer.data() + k * row_size);
-      const Handle in_memory = memory_space(rows.size()), in_file = select(dataset, block.first, rows.size());
+      in_memory = memory_space(rows.size());
+      in_file = select(dataset, block.first, rows.size());
+    });
+    team.together([&] {
       check(H5Dwrite(dataset, type, in_memory, in_file, transfer, buffer.data()), what);
       if (!rows.empty()) checksum = add_to_checksum(checksum, std::span(buffer).first(rows.size() * row_size));
     });

@@ -55,8 +55,8 @@ constexpr std::array parameters{
     SIGMASWEEP_FIELD(parameters, random_separation, "1", "whether each bead is shifted by up to +- s0/2 at the start"),
     SIGMASWEEP_FIELD(parameters, seed, "1", "of random diameters and separations"),
     SIGMASWEEP_FIELD(parameters, ed_rule, "1", "ed: lrv, each collision loses; tc, none soon after another one"),
-    SIGMASWEEP_FIELD(parameters, steps_per_tc, "1", "gear5, verlet, rk4: time steps per contact time"),
-    SIGMASWEEP_FIELD(parameters, tolerance, "1", "exact: wanted absolute error of eps_eff"),
+    SIGMASWEEP_FIELD(parameters, steps_per_tc, "1", "gear5, verlet, rk4: time steps per contact time (or give a tolerance)"),
+    SIGMASWEEP_FIELD(parameters, tolerance, "1", "wanted absolute error of eps_eff: of exact, or of a time step chosen for it"),
 };
 
 constexpr std::array results{

@@ -63,6 +63,8 @@ void require_one_way(const std::vector<Setting>& settings) {
   }
   if (const Setting* K_over_m = find(settings, "K_over_m"); K_over_m && !(K_over_m->axis.bounds().first > 0.0))
     refuse(K_over_m->entry, "must be > 0");
+  if (const Setting* steps = find(settings, "steps_per_tc"); steps && !(steps->axis.bounds().first > 0.0))
+    refuse(steps->entry, "must be from 2 to 1e6; to have it chosen leave it out and give a tolerance");
   const Setting* material = find(settings, "material");
   if (!material) return;
   if (material->axis.bounds().first == static_cast<double>(Material::none))
@@ -91,9 +93,17 @@ void require_complete(const Entry& sweep, const std::vector<Setting>& settings, 
 }
 
 void require_used(const std::vector<Setting>& settings, const std::vector<Parameters>& kinds) {
-  for (const Setting& setting : settings)
-    if (std::ranges::none_of(kinds, [&](const Parameters& kind) { return is_used(*setting.field, kind); }))
-      refuse(setting.entry, fmt::format("no tuple uses it: it needs {}", needed_for(*setting.field)));
+  const auto used = [&](const Setting& setting) {
+    return std::ranges::any_of(kinds, [&](const Parameters& kind) { return is_used(*setting.field, kind); });
+  };
+  for (const Setting& setting : settings) {
+    if (used(setting)) continue;
+    const Setting* steps = find(settings, "steps_per_tc");
+    if (setting.field->name == "tolerance" && steps && used(*steps))
+      refuse(setting.entry, "'steps_per_tc' and 'tolerance' conflict: give the time step, or the error for which it is "
+                            "to be chosen");
+    refuse(setting.entry, fmt::format("no tuple uses it: it needs {}", needed_for(*setting.field)));
+  }
 }
 
 }  // namespace sigmasweep::spec

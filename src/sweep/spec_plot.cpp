@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 7> guide_keys{"slope", "y", "label", "thr
 constexpr std::array<std::string_view, 2> kinds{"points", "trajectories"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"};
 constexpr std::array<std::string_view, 2> forms{"power", "line"};
-constexpr std::array<std::string_view, 1> run_keys{"manager"};
+constexpr std::array<std::string_view, 2> run_keys{"manager", "tuple_time_limit"};
 constexpr std::array<std::string_view, 3> managers{"auto", "computes", "dedicated"};
 constexpr std::size_t max_plots = 100;
 
@@ -183,13 +183,19 @@ std::vector<PlotSpec> read_plots(const Entry& plot) {
   return plots;
 }
 
-ManagerRole read_run(const Entry& run) {
-  auto role = ManagerRole::automatic;
+RunTable read_run(const Entry& run) {
+  RunTable table;
   for (const Entry& entry : entries(as_table(run), *run.file, run.path)) {
-    if (entry.name != "manager") refuse_unknown(entry, run_keys);
-    role = static_cast<ManagerRole>(as_one_of(entry, managers));
+    if (entry.name == "manager") {
+      table.manager = static_cast<ManagerRole>(as_one_of(entry, managers));
+    } else if (entry.name == "tuple_time_limit") {
+      table.tuple_time_limit = as_number(entry);
+      if (!(*table.tuple_time_limit > 0.0)) refuse_value(entry, "must be a time > 0, in s");
+    } else {
+      refuse_unknown(entry, run_keys);
+    }
   }
-  return role;
+  return table;
 }
 
 }  // namespace sigmasweep::spec

@@ -111,6 +111,10 @@ void require_countable(const Entry& sweep, const std::vector<Product::Group>& gr
 
 Parameters base_of(const std::vector<Setting>& settings) {
   Row row;
+  const Setting* integrator = find(settings, "integrator");
+  if (integrator && integrator->axis.bounds().second > 0.0 && find(settings, "tolerance"))
+    row.parameters.steps_per_tc = 0.0;  // chosen by the tolerance, if none are given
+  static_assert(static_cast<int>(Integrator::exact) == 0);
   for (const Setting& setting : settings) set_number(*setting.field, row, setting.axis[0]);
   return row.parameters;
 }

@@ -21,8 +21,14 @@ struct Grid {
 
 Grid read_sweep(const Entry& sweep);
 std::vector<PlotSpec> read_plots(const Entry& plot);
-ManagerRole read_run(const Entry& run);
+struct RunTable {
+  ManagerRole manager = ManagerRole::automatic;
+  std::optional<double> tuple_time_limit{};
+};
+RunTable read_run(const Entry& run);
 /// With the rows that it chooses.
 TrajectorySpec read_trajectory(const Entry& trajectory, const Sweep& sweep);
+/// The sweep's rows are its scenes.
+PrecisionSpec read_precision(const Entry& precision, const Sweep& sweep);
 
 }  // namespace sigmasweep::spec

@@ -16,7 +16,7 @@
 namespace sigmasweep {
 namespace {
 
-constexpr std::array<std::string_view, 5> tables{"title", "sweep", "plot", "run", "trajectory"};
+constexpr std::array<std::string_view, 6> tables{"title", "sweep", "plot", "run", "trajectory", "precision"};
 constexpr std::array<std::string_view, 7> fixed_columns{"v0", "tc", "s0", "sigma", "N", "epsilon", "method"};
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
@@ -49,6 +49,8 @@ struct Sweep::Impl {
   std::vector<std::string> axes;
   std::vector<Field> columns;
   std::optional<TrajectorySpec> trajectory;
+  std::optional<double> tuple_time_limit{};
+  std::optional<PrecisionSpec> precision{};
 };
 
 Sweep::Sweep(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -57,15 +59,16 @@ Sweep Sweep::parse(std::string_view text, const std::string& file) {
   const toml::table document = parse_toml(text, file);
   std::string title;
   std::vector<PlotSpec> plots(1);
-  auto manager = ManagerRole::automatic;
+  spec::RunTable run;
   std::optional<spec::Grid> grid;
-  std::optional<spec::Entry> trajectory, plot;
+  std::optional<spec::Entry> trajectory, precision, plot;
   for (const spec::Entry& entry : spec::entries(document, file, "")) {
     if (entry.name == "title") title = spec::as_string(entry);
     else if (entry.name == "sweep") grid = spec::read_sweep(entry);
     else if (entry.name == "plot") plots = spec::read_plots(*(plot = entry));
-    else if (entry.name == "run") manager = spec::read_run(entry);
+    else if (entry.name == "run") run = spec::read_run(entry);
     else if (entry.name == "trajectory") trajectory = entry;
+    else if (entry.name == "precision") precision = entry;
     else spec::refuse_unknown(entry, tables);
   }
   if (!grid) throw SpecError(fmt::format("{}: the table [sweep] is missing", file));
@@ -77,10 +80,12 @@ Sweep Sweep::parse(std::string_view text, const std::string& file) {
   for (const Field* field : grid->axes) axes.emplace_back(field->name);
   auto columns = columns_of(*grid);
   const auto impl = std::make_shared<Impl>(Impl{std::move(title), std::string(text),
-                                                XXH3_64bits(text.data(), text.size()), std::move(plots), manager,
-                                                *std::move(grid), std::move(axes), std::move(columns), {}});
+                                                XXH3_64bits(text.data(), text.size()), std::move(plots), run.manager,
+                                                *std::move(grid), std::move(axes), std::move(columns), {}, {}});
   const Sweep sweep(impl);
+  impl->tuple_time_limit = run.tuple_time_limit;
   if (trajectory) impl->trajectory = spec::read_trajectory(*trajectory, sweep);
+  if (precision) impl->precision = spec::read_precision(*precision, sweep);
   return sweep;
 }
 
@@ -98,7 +103,9 @@ const std::string& Sweep::text() const { return impl_->text; }
 std::uint64_t Sweep::hash() const { return impl_->hash; }
 const std::vector<PlotSpec>& Sweep::plots() const { return impl_->plots; }
 ManagerRole Sweep::manager() const { return impl_->manager; }
+std::optional<double> Sweep::tuple_time_limit() const { return impl_->tuple_time_limit; }
 const std::optional<TrajectorySpec>& Sweep::trajectory() const { return impl_->trajectory; }
+const std::optional<PrecisionSpec>& Sweep::precision() const { return impl_->precision; }
 const std::vector<std::string>& Sweep::axes() const { return impl_->axes; }
 const std::vector<std::uint64_t>& Sweep::axis_sizes() const { return impl_->grid.axis_sizes; }
 const std::vector<Field>& Sweep::columns() const { return impl_->columns; }

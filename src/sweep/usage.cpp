@@ -24,8 +24,9 @@ bool by_spring(const Parameters& p) { return p.K_over_m > 0.0 && p.material == M
 bool by_material(const Parameters& p) { return p.material != Material::none; }
 bool has_own_diameter(const Parameters& p) { return p.material == Material::none; }
 bool has_exponents(const Parameters& p) { return p.law == Law::power && has_law(p); }
-bool is_exact(const Parameters& p) { return is_soft(p) && p.integrator == Integrator::exact; }
 bool has_fixed_steps(const Parameters& p) { return is_soft(p) && p.integrator != Integrator::exact; }
+bool has_given_steps(const Parameters& p) { return has_fixed_steps(p) && p.steps_per_tc > 0.0; }
+bool has_tolerance(const Parameters& p) { return is_soft(p) && !has_given_steps(p); }
 bool is_hard(const Parameters& p) { return p.method == Method::ed; }
 bool is_random(const Parameters& p) { return p.width > 0.0 || is_shifted(p); }
 
@@ -43,8 +44,8 @@ constexpr auto rules = std::to_array<Rule>({
     {"seed", is_random, "width > 0, or random_separation = true and a gap"},
     {"ed_rule", is_hard, "method = 'ed'"},
     {"integrator", is_soft, "method = 'md'"},
-    {"steps_per_tc", has_fixed_steps, "integrator = 'gear5', 'verlet' or 'rk4'"},
-    {"tolerance", is_exact, "method = 'md' with integrator = 'exact'"},
+    {"steps_per_tc", has_given_steps, "integrator = 'gear5', 'verlet' or 'rk4'"},
+    {"tolerance", has_tolerance, "method = 'md', with integrator = 'exact' or without steps_per_tc"},
 });
 
 const Rule* rule_of(const Field& parameter) {

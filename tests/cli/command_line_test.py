@@ -65,6 +65,8 @@ class WrongCommands(Files):
         self.check(64, ["'tc'", "'material'", "conflict"], "one", *COLUMN, "--s0", 0, "--material", "steel")
         self.check(64, ["seed", "random"], "one", *COLUMN, "--s0", 0, "--seed", 3)
         self.check(64, ["steps_per_tc"], "one", *COLUMN, "--s0", 0, "--steps-per-tc", 50)
+        self.check(64, ["steps_per_tc", "tolerance", "conflict"], "one", *COLUMN, "--s0", 0, "--integrator", "rk4",
+                   "--steps-per-tc", 50, "--tolerance", 1e-4)
         self.check(64, ["tc"], "one", "--v0", 1, "--tc", "inf", "--N", 2, "--epsilon", 1, "--s0", 0)
 
     def test_files(self):
@@ -110,6 +112,21 @@ class Answers(Files):
             self.assertTrue(0 <= result["eps_eff_error"] < 1e-10)
         self.assertEqual(self.one("--s0", "1e-6", "--method", "ed")["contacts"], 100)
         self.assertEqual(self.one("--s0", "1e-6", "--wall", "matched")["wall"], "matched")
+
+    def test_one_with_a_step_chosen_by_the_tolerance(self):
+        for integrator in ("gear5", "verlet", "rk4"):
+            result = self.one("--sigma", 0.1, "--integrator", integrator, "--tolerance", "1e-4")
+            self.assertLess(abs(result["eps_eff"] - 0.931129144499), 1e-4)  # of an independent integration
+            self.assertTrue(0 < result["eps_eff_error"] <= 1e-4)
+
+    def test_plan_says_what_is_unstable(self):
+        spec = self.write(SPEC.replace('method = ["md", "ed"]', 'integrator = "gear5"\nsteps_per_tc = 50').replace(
+            "epsilon = 0.9", "epsilon = [0.02, 0.05, 0.5]").replace("N = 3", "N = 10"))
+        ended = sigmasweep("plan", spec, "--json")
+        self.assertEqual((ended.returncode, ended.stderr.count("\n")), (0, 1))
+        for words in ("6 of 9 tuples", "unstable", "gear5 at tc/50", "from 0.02 to 0.05"):
+            self.assertIn(words, ended.stderr)
+        self.assertEqual(json.loads(ended.stdout)["tuples"], 9)
 
     def test_one_of_a_material(self):
         for material, law in (("steel", "hooke"), ("steel", "hertz"), ("aluminium", "hertz-kuwabara-kono")):

@@ -51,7 +51,7 @@ struct Trial {
     for (std::uint64_t row = 0; row < rows; ++row) all[row] = row;
     schedule.emplace(all, std::vector<double>(rows, predicted_seconds), world().size());
     job.tuple = tuple;
-    job.compute = [this](const Tuple& t) {
+    job.compute = [this](const Tuple& t, const auto&) {
       ++computed;
       std::this_thread::sleep_for(pause(t.index));
       Row row;

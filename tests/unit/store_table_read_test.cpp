@@ -44,7 +44,8 @@ hid_t enumeration(const std::vector<std::string>& names, int first = 0) {
 struct Maker {
   int rows = 3;
   std::map<std::string, std::string> texts{{"format", "sigmasweep-table"}, {"title", "t"},  {"spec", "s"},
-                                           {"spec_hash", "00000000000000ff"}, {"host", "h"}, {"start", "now"}};
+                                           {"spec_hash", "00000000000000ff"}, {"host", "h"}, {"start", "now"},
+                                           {"program_version", "0"}, {"compiler", "c"}, {"compiler_flags", "-O"}};
   std::map<std::string, std::uint64_t> numbers{
       {"format_version", 1}, {"physics_version", 5}, {"rows", 3}, {"ranks", 2}};
   std::map<std::string, std::vector<Member>> datasets{

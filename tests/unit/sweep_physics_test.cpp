@@ -125,16 +125,17 @@ TEST(Ways, SeveralThreadsGetTheSame) {
   EXPECT_EQ(keys[0], keys[1]);
 }
 
-TEST(Ways, PairsThatStayTogetherAreRefused) {
-  expect_part(wrong("K_over_m = 2e9\nD_n = 1e6"), "test.toml:5: sweep.K_over_m: with v0 = 0.05");
-  expect_part(wrong("K_over_m = 2e9\nD_n = 1e6"), "too damped to come apart");
+TEST(Ways, PairsThatStayTogetherAreForSoftSpheres) {
+  EXPECT_EQ(wrong("K_over_m = 2e9\nD_n = 1e6"), "accepted");
+  expect_part(wrong("method = \"ed\"\nK_over_m = 2e9\nD_n = 1e6"), "test.toml:6: sweep.K_over_m: with v0 = 0.05");
+  expect_part(wrong("method = \"ed\"\nK_over_m = 2e9\nD_n = 1e6"), "too damped to come apart");
   // Only in the middle of the axes, and only with one of the laws.
-  expect_part(wrong("law = [\"hertz\", \"hooke\"]\nK_over_m = [2e12, 2e9]\nzip = [[\"law\", \"K_over_m\"]]\n"
-                    "D_n = [1, 1e6, 2]"), "too damped");
-  EXPECT_EQ(wrong("law = [\"hertz\", \"hooke\"]\nK_over_m = [2e12, 2e9]\nD_n = [1e3, 1e4]\n"
+  expect_part(wrong("method = \"ed\"\nlaw = [\"hertz\", \"hooke\"]\nK_over_m = [2e12, 2e9]\n"
+                    "zip = [[\"law\", \"K_over_m\"]]\nD_n = [1, 1e6, 2]"), "too damped");
+  EXPECT_EQ(wrong("method = \"ed\"\nlaw = [\"hertz\", \"hooke\"]\nK_over_m = [2e12, 2e9]\nD_n = [1e3, 1e4]\n"
                   "zip = [[\"law\", \"K_over_m\", \"D_n\"]]"), "accepted");
   // More pairs than are looked at one by one: the extremes tell.
-  expect_part(refusal("N = 1\ns0 = 0\nK_over_m = 2e9\nD_n = { from = 0, to = 1e6, count = 2000 }\n"
+  expect_part(refusal("method = \"ed\"\nN = 1\ns0 = 0\nK_over_m = 2e9\nD_n = { from = 0, to = 1e6, count = 2000 }\n"
                       "v0 = { from = 1, to = 2, count = 2000 }"), "too damped");
 }
 
@@ -204,7 +205,7 @@ TEST(Random, DiametersArePositive) {
   EXPECT_EQ(wrong(contact + "width = [0, 2e-3]\nd = [1e-3, 2e-3]\nzip = [[\"width\", \"d\"]]"), "accepted");
   expect_part(wrong(contact + "width = [2e-3, 0]\nd = [1e-3, 2e-3]\nzip = [[\"width\", \"d\"]]"), "with d = 0.001");
   EXPECT_EQ(wrong("material = \"steel\"\nwidth = 2.8e-3"), "accepted");  // d is 1.5 mm
-  expect_part(wrong("material = \"steel\"\nwidth = 2.9e-3"), "sweep.width: with d = 0.0015");
+  expect_part(wrong("material = \"steel\"\nwidth = 2.99e-3"), "sweep.width: with d = 0.0015");
   expect_part(wrong(contact + "width = -1e-3"), "sweep.width = -0.001 is not allowed");
 }
 

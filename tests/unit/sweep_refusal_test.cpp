@@ -45,7 +45,7 @@ TEST(Refusal, UnknownKeysNameTheNearest) {
   expect_part(alone("gravity = 9.81"), "bad.toml:3: unknown key sweep.gravity; known: v0, tc,");
   EXPECT_EQ(with("sigma = { from = 1, to = 2, cont = 3 }"),
             "bad.toml:2: unknown key sweep.sigma.cont (did you mean 'count'?)");
-  EXPECT_EQ(table("[run]\nranks = 3"), "bad.toml:8: unknown key run.ranks; known: manager");
+  EXPECT_EQ(table("[run]\nranks = 3"), "bad.toml:8: unknown key run.ranks; known: manager, tuple_time_limit");
 }
 
 TEST(Refusal, SyntaxErrorsKeepTheLibrarysWords) {
@@ -148,7 +148,9 @@ TEST(Refusal, MissingParameters) {
 TEST(Refusal, ParametersThatNothingUses) {
   EXPECT_EQ(alone("steps_per_tc = 50"),
             "bad.toml:3: sweep.steps_per_tc: no tuple uses it: it needs integrator = 'gear5', 'verlet' or 'rk4'");
-  expect_part(alone("integrator = \"gear5\"\ntolerance = 1e-8"), "bad.toml:4: sweep.tolerance: no tuple uses it");
+  expect_part(alone("integrator = \"gear5\"\ntolerance = 1e-8\nsteps_per_tc = 50"),
+              "bad.toml:4: sweep.tolerance: 'steps_per_tc' and 'tolerance' conflict");
+  expect_part(alone("integrator = \"gear5\"\nsteps_per_tc = 0"), "bad.toml:4: sweep.steps_per_tc: must be from 2");
   expect_part(alone("method = \"ed\"\nintegrator = \"exact\""), "bad.toml:4: sweep.integrator: no tuple uses it");
   expect_part(alone("method = \"ed\"\ntolerance = 1e-8"), "bad.toml:4: sweep.tolerance: no tuple uses it");
   expect_part(alone("method = [\"md\", \"ed\"]\nintegrator = [\"exact\", \"rk4\"]\n"

@@ -119,3 +119,39 @@ TEST(Schedule, RefusesNonsense) {
   for (const double seconds : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")})
     EXPECT_THROW(Schedule({0}, {seconds}, 1), std::invalid_argument) << seconds;
 }
+
+TEST(Schedule, PassesOverWhatIsTooLong) {
+  Schedule schedule({0, 1, 2, 3}, {8.0, 4.0, 2.0, 1.0}, 1);
+  const auto next = [&](double most) {
+    const auto chunk = schedule.next(most);
+    return std::vector<std::uint64_t>(chunk.begin(), chunk.end());
+  };
+  using Rows = std::vector<std::uint64_t>;
+  EXPECT_EQ(next(0.5), Rows{});
+  EXPECT_EQ(next(-1.0), Rows{});
+  EXPECT_EQ(next(3.0), Rows{2});
+  EXPECT_EQ(next(3.0), Rows{3});
+  EXPECT_EQ(next(3.0), Rows{});
+  EXPECT_EQ(next(5.0), Rows{1});  // looked at again
+  EXPECT_EQ(next(5.0), Rows{});
+  EXPECT_EQ(next(9.0), Rows{0});
+  EXPECT_EQ(next(9.0), Rows{});
+}
+
+TEST(Schedule, HandsOutEachRowOnceWithinAnyLimits) {
+  const Rows rows = random_rows(5000, 13);
+  Schedule schedule(rows.index, rows.seconds, 4);
+  std::mt19937_64 generator(17);
+  std::set<std::uint64_t> seen;
+  for (int tries = 0; seen.size() < rows.index.size() && tries < 200000; ++tries) {
+    const double most = std::pow(10.0, -5.0 + 5.1 * static_cast<double>(generator() >> 11) * 0x1p-53);
+    double sum = 0.0;
+    for (const std::uint64_t row : schedule.next(most)) {
+      EXPECT_TRUE(seen.insert(row).second);
+      sum += rows.seconds[(row - 1) / 3];
+    }
+    EXPECT_LE(sum, most * (1.0 + 1e-12));  // rounding of the sum
+  }
+  EXPECT_EQ(seen.size(), rows.index.size());
+  EXPECT_TRUE(schedule.next().empty());
+}

@@ -216,6 +216,15 @@ TEST(Spec, ParametersThatSomeTuplesUseAreAccepted) {
   EXPECT_EQ(zipped.size(), 2u);
 }
 
+TEST(Spec, ATimeStepIsGivenOrChosenByTheTolerance) {
+  EXPECT_EQ(with("sigma = 1\nintegrator = \"gear5\"").at(0).steps_per_tc, 100.0);
+  const Sweep chosen = with("sigma = 1\nintegrator = [\"gear5\", \"rk4\"]\ntolerance = [1e-3, 1e-4]");
+  ASSERT_EQ(chosen.size(), 4u);
+  for (std::uint64_t row = 0; row < 4; ++row) EXPECT_EQ(chosen.at(row).steps_per_tc, 0.0);
+  EXPECT_EQ(chosen.at(3).tolerance, 1e-4);
+  EXPECT_EQ(with("sigma = 1\ntolerance = 1e-4").at(0).steps_per_tc, 100.0);  // nobody steps
+}
+
 TEST(Spec, TwoToTheFortiethTuplesCostNothing) {
   const Sweep sweep = Sweep::parse(R"toml([sweep]
 N = { from = 1, to = 1024, count = 1024 }

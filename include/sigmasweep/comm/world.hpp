@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ class World {
   std::string broadcast(std::string text) const;
   std::int64_t broadcast(std::int64_t number) const;
   double broadcast(double number) const;
+  /// The bytes of every rank, by rank, on the manager; nothing elsewhere. Collective.
+  std::vector<std::string> gather(const std::string& bytes) const;
   /// How many ranks share a processor where it is worst; at least 1. Collective.
   double crowding() const;
   /// The manager's rows dealt out as contiguous blocks in the order of ranks, `block(total)` to each. Collective.
@@ -51,7 +54,9 @@ class World {
 /// What the manager and the workers need to know to run a sweep.
 struct Job {
   std::function<Parameters(std::uint64_t row)> tuple;  ///< on the manager
-  std::function<Row(const Tuple&)> compute;            ///< must not throw; on workers, and on a thread of the manager
+  /// Must not throw; on workers, and on a thread of the manager. A tuple that takes long asks now and then whether it is
+  /// to end at once, and if so gives nothing.
+  std::function<std::optional<Row>(const Tuple&, const std::function<bool()>& to_end)> compute;
   std::function<void(const Row&)> finished;            ///< on the manager, for each row as it comes in; must not throw
   std::function<bool()> stop;                          ///< polled on every rank: hand out nothing more
   /// On the manager: a chunk that is predicted to take more CPU time, s, is not handed out now. Empty: no limit.
@@ -60,8 +65,8 @@ struct Job {
 };
 
 /// Hands out the rows of `schedule` (the manager's; unused elsewhere) and returns on all ranks when everything handed
-/// out has come back. When any rank's `stop` says so, no tuple is begun any more: those in flight are finished and come
-/// back, the rest of the chunks is dropped. A rank for which no chunk is short enough gets none any more. With one rank the manager computes, whatever `job` says.
+/// out has come back. When any rank's `stop` says so, no tuple is begun any more: those in flight come back
+/// if they end within half a second, the others and the rest of the chunks are dropped. A rank for which no chunk is short enough gets none any more. With one rank the manager computes, whatever `job` says.
 void distribute(const World& world, Schedule* schedule, const Job& job);
 
 }  // namespace sigmasweep

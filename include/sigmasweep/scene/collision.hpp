@@ -22,11 +22,17 @@ enum class Status : std::uint8_t {
   time_limit,        ///< given up after too much computing time: no result
   non_finite,        ///< an infinity or NaN came up: no result
   failed,            ///< the solver threw: no result
-  not_run
+  not_run,
+  quarantined        ///< the process died twice while it was computed, and it is not tried again: no result
 };
 
 /// Whether a row with this status holds what was asked for.
 constexpr bool is_success(Status status) { return status == Status::ok || status == Status::collapsed; }
+
+/// Whether the same tuple has this status whenever and wherever it is computed.
+constexpr bool is_reproducible(Status status) {
+  return status != Status::time_limit && status != Status::not_run && status != Status::quarantined;
+}
 
 /// What one collision of a column gave. A plain value of fixed size, sent and stored as it is.
 /// Where there is no result every number is NaN.

@@ -38,15 +38,15 @@ struct Parameters {
   double tc = 1e-5;            ///< contact time of a pair at v0, s: Eq. (6); of laws that are not linear Eq. (A2)
   double s0 = 0.0;             ///< initial gap between neighbours and to the wall, m
   double sigma = 0.0;          ///< s0/(v0 tc), no unit
-  double epsilon = 0.9;        ///< restitution of a pair that meets at v0, 0 < epsilon <= 1; Eq. (7)
+  double epsilon = 0.9;        ///< restitution of a pair that meets at v0, 0 < epsilon <= 1; Eq. (7). 0: see complete()
   double K_over_m = 0.0;       ///< spring over reduced mass, 1/(s^2 m^beta); 0: from tc
   double D_n = 0.0;            ///< dashpot over m_ij, twice the reduced mass, 1/(s m^gamma); only with K_over_m
   double beta = 0.0;           ///< power law: exponent of the spring
   double gamma = 0.0;          ///< power law: exponent of the dashpot
   double d = 1e-3;             ///< bead diameter, m; drops out of every result of the linear law without gravity
   double width = 0.0;          ///< diameters are uniform in d +- width/2, m; masses go with their cubes
-  double steps_per_tc = 100.0; ///< fixed-step integrators: time step tc/steps_per_tc
-  double tolerance = 1e-10;    ///< exact: wanted absolute error of eps_eff
+  double steps_per_tc = 100.0; ///< fixed-step integrators: time step tc/steps_per_tc; 0: chosen by the tolerance
+  double tolerance = 1e-10;    ///< exact, or a chosen step: wanted absolute error of eps_eff
   std::int64_t N = 10;         ///< number of beads
   std::int64_t seed = 0;       ///< of random diameters and separations
   Method method = Method::md;
@@ -62,7 +62,9 @@ struct Parameters {
 enum class Gap : std::uint8_t { s0, sigma };
 
 /// `parameters` with what follows from what is given: the material's d, K_over_m and D_n; with a K_over_m > 0 tc and
-/// epsilon at v0 (NaN where the pair is too damped to come apart); then the missing one of s0 and sigma.
+/// epsilon at v0; then the missing one of s0 and sigma. A pair too damped to come apart again (linear law: D_n >=
+/// sqrt(K_over_m)) has epsilon = 0, and as tc the contact time without damping, pi/sqrt(K_over_m), (A2) with beta = 0:
+/// a unit of time, not a duration. Only soft spheres (md) can be that damped.
 Parameters complete(Parameters parameters, Gap given);
 
 /// The steps of complete(), for those who remember what the first two gave: they take time, milliseconds for a material

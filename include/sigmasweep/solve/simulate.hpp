@@ -2,6 +2,7 @@
 
 #include "sigmasweep/scene/collision.hpp"
 #include "sigmasweep/scene/parameters.hpp"
+#include "sigmasweep/solve/patience.hpp"
 
 namespace sigmasweep {
 
@@ -10,6 +11,7 @@ inline constexpr std::uint32_t physics_version = 2;
 
 /// The collision that `parameters` describe: a pure function, the same bits for the same parameters on one build.
 /// Never throws, never hangs: what cannot be computed is a status, and parameters that why_invalid() refuses are failed.
-Collision simulate(const Parameters& parameters);
+/// Where `patience` came to its end it is Status::time_limit, whatever had been found by then.
+Collision simulate(const Parameters& parameters, Patience* patience = nullptr);
 
 }  // namespace sigmasweep

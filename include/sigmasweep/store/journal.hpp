@@ -27,9 +27,9 @@ class Journal {
   /// holds it; cannot be created; foreign, or of another spec, physics version or number of rows: then the file is
   /// left as it is and the message says how to go on) or IoError.
   ///
-  /// With `carry` a journal of another spec, but of the same physics version and build, is not refused: carry() gets its
-  /// rows and returns those that this sweep takes over, with their place in it. A journal that begins with these then
-  /// replaces the old one; until it does, the old one is left as it is.
+  /// With `carry` a journal of another spec, but of the same physics version and build, is not refused: carry() gets
+  /// its rows and returns those that this sweep takes over, with their place in it. A journal that begins with these
+  /// then replaces the old one; until it does, the old one is left as it is.
   using Carry = std::function<std::vector<Row>(const std::vector<Row>& old)>;
   Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry = {});
   /// Syncs what it can, quietly, and gives the lock back.

@@ -13,8 +13,9 @@
 namespace sigmasweep {
 
 /// What a table's root attributes say about the sweep and its run: title, spec, spec_hash (hexadecimal text), host,
-/// start, ranks, and for a slice of a sweep slice_index and slice_count. The writer adds format ("sigmasweep-table"), format_version, rows, physics_version, program_version,
-/// git_revision, compiler, compiler_flags, mpi_version and hdf5_version. All texts are UTF-8.
+/// start, ranks, and for a slice of a sweep slice_index and slice_count. The writer adds format ("sigmasweep-table"),
+/// format_version, rows, physics_version, program_version, git_revision, compiler, compiler_flags, mpi_version and
+/// hdf5_version. All texts are UTF-8.
 struct TableInfo {
   std::string title, spec_text, host, start;  ///< start: ISO 8601, UTC
   std::uint64_t spec_hash = 0;
@@ -25,8 +26,8 @@ struct TableInfo {
 };
 
 /// Writes the table collectively: every rank of `comm` brings its contiguous block of rows, `first` being the place in
-/// the table of the block's first row (blocks may be empty; together they make up `total_rows` rows, in spec order; with
-/// a slice those that it has); `info` is rank 0's, but for the slice. /results
+/// the table of the block's first row (blocks may be empty; together they make up `total_rows` rows, in spec order; of a
+/// slice those that it has); `info` is rank 0's, but for the slice. /results
 /// holds `columns` in that order, /timings the timing fields: one-dimensional compounds without padding, enumerations
 /// with their names. The unit and meaning of member X are the dataset's attributes unit:X and meaning:X.
 ///

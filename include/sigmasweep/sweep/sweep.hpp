@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sigmasweep/sweep/fields.hpp"
+#include "sigmasweep/sweep/precision.hpp"
 #include "sigmasweep/sweep/row.hpp"
 #include "sigmasweep/sweep/trajectory_spec.hpp"
 
@@ -74,6 +75,7 @@ enum class ManagerRole { automatic, computes, dedicated };
 /// v0, N and one of s0 and sigma must be given, and stiffness and damping in one of three ways: tc and epsilon;
 /// K_over_m and D_n (default 0); material = "steel" | "aluminium", which has its own d, too. With the last two tc and
 /// epsilon follow at each v0. Everything else has the defaults of Parameters, but law = "power" needs beta and gamma.
+/// With a tolerance and without steps_per_tc the integrators of fixed step choose their step (steps_per_tc = 0).
 /// Where all tuples are hard spheres with ed_rule = "lrv" tc may be left out: their contact time is zero, and the
 /// default only gives sigma its unit. A parameter that no tuple uses (steps_per_tc without a fixed-step integrator, a
 /// seed where nothing is random, ...; see usage.hpp) is an error. So is a pair that is too damped to come apart, but in
@@ -97,7 +99,10 @@ class Sweep {
   /// At least one. The first is the main one: [plot], or of several [[plot]] the one without a name, or the first.
   const std::vector<PlotSpec>& plots() const;
   ManagerRole manager() const;
+  /// CPU time after which a tuple is given up, s, if the spec says so. Not part of what a tuple is.
+  std::optional<double> tuple_time_limit() const;
   const std::optional<TrajectorySpec>& trajectory() const;  ///< if the spec has one
+  const std::optional<PrecisionSpec>& precision() const;    ///< if the spec has one
 
   std::uint64_t size() const;            ///< number of rows, at least 1
   /// Parameters of a row, s0 and sigma both filled in. Throws std::out_of_range. Safe from several threads at once.

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace sigmasweep {
+
+/// Which row each rank is computing, in a file beside the table (TABLE.h5.running) that is still there when the process
+/// is not: so the next run knows what it died of. The file is mapped into memory: a note costs a nanosecond, and
+/// outlives the process, though not the machine. Nothing but the quarantine hangs on it; a foreign or damaged file is
+/// taken for none.
+struct InFlightIdentity {
+  std::uint64_t spec_hash = 0, rows = 0;
+  std::uint64_t run = 0;  ///< a random number, to know the file again on another host
+};
+
+/// How many processes have died while they computed a row, by row; of those that died at all.
+using Deaths = std::map<std::uint64_t, std::uint64_t>;
+
+/// On the manager, before anybody notes: what earlier runs left (nothing if `fresh`), and a new file for
+/// `ranks` ranks that remembers it. Throws OutputError.
+Deaths begin_in_flight(const std::string& table, const InFlightIdentity& identity, int ranks, bool fresh);
+/// On the manager, once nobody notes any more: the file goes if it has nothing to remember, or if the sweep is complete.
+void end_in_flight(const std::string& table, bool complete) noexcept;
+
+/// One rank's notes.
+class InFlight {
+ public:
+  /// Throws OutputError if the file that the manager made is not there: this rank does not see the same directory.
+  InFlight(const std::string& table, const InFlightIdentity& identity, int rank);
+  ~InFlight();
+  InFlight(const InFlight&) = delete;
+  InFlight& operator=(const InFlight&) = delete;
+  void begin(std::uint64_t row) noexcept;
+  void end() noexcept;
+
+ private:
+  void* memory_ = nullptr;  ///< null where files cannot be mapped: no notes
+  std::size_t size_ = 0;
+  std::uint64_t* slot_ = nullptr;
+};
+
+}  // namespace sigmasweep

@@ -1,0 +1,70 @@
+#include "stability_warning.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "sigmasweep/scene/law.hpp"
+#include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/solve/stability.hpp"
+
+namespace sigmasweep {
+namespace {
+
+constexpr std::uint64_t most_rows = 1'000'000;
+constexpr std::size_t most_kinds = 100'000, most_slow_kinds = 50;  // a second; slow ones count as stable from there on
+
+/// What stability depends on where beads are equal: neither v0 nor s0.
+auto kind(const Parameters& p) {
+  return std::tuple(p.integrator, p.steps_per_tc, p.epsilon, p.N, p.law, p.beta, p.gamma, p.wall,
+                    p.K_over_m > 0.0 ? std::tuple(p.K_over_m, p.D_n, p.v0, p.tc) : std::tuple(0.0, 0.0, 0.0, 0.0),
+                    p.width > 0.0 ? std::tuple(p.width, p.d, p.seed) : std::tuple(0.0, 0.0, std::int64_t{0}));
+}
+
+struct Unstable {
+  std::uint64_t rows = 0;
+  double lowest = 1.0, highest = 0.0;  ///< epsilon
+};
+
+bool has_given_step(const Parameters& p) {
+  return p.method == Method::md && p.integrator != Integrator::exact && p.steps_per_tc > 0.0;
+}
+
+}  // namespace
+
+std::string stability_warning(const Sweep& sweep) {
+  const bool one_integrator = std::ranges::find(sweep.axes(), "integrator") == sweep.axes().end();
+  if (one_integrator && sweep.at(0).integrator == Integrator::exact) return {};
+  std::map<decltype(kind(Parameters{})), bool> known;
+  std::map<std::pair<Integrator, double>, Unstable> unstable;
+  const std::uint64_t looked_at = std::min(sweep.size(), most_rows), stride = sweep.size() / looked_at;
+  std::uint64_t all = 0;
+  for (std::uint64_t k = 0; k < looked_at; ++k) {
+    const Parameters p = sweep.at(k * stride);
+    if (!has_given_step(p)) continue;
+    const auto seen = known.find(kind(p));
+    if (seen == known.end() && known.size() >= (exponents(p).linear() ? most_kinds : most_slow_kinds)) continue;
+    const auto [found, is_new] = known.try_emplace(kind(p));
+    if (is_new) found->second = is_stable(p);
+    if (found->second) continue;
+    Unstable& group = unstable[{p.integrator, p.steps_per_tc}];
+    group.lowest = group.rows ? std::min(group.lowest, p.epsilon) : p.epsilon;
+    group.highest = std::max(group.highest, p.epsilon);
+    ++group.rows;
+    ++all;
+  }
+  if (all == 0) return {};
+  const auto& [scheme, most] = *std::ranges::max_element(unstable, {}, [](const auto& g) { return g.second.rows; });
+  const std::string others = unstable.size() > 1 ? fmt::format(", mostly {}", most.rows) : "";
+  const std::string range = most.lowest == most.highest ? fmt::format("epsilon = {:.4g}", most.highest)
+                                                        : fmt::format("epsilon from {:.4g} to {:.4g}", most.lowest,
+                                                                      most.highest);
+  return fmt::format("{}{} of {} tuples are predicted to be unstable{}: {} at tc/{:.4g} with {}",
+                     stride > 1 ? "in a sample, " : "", all, looked_at, others, name_of(scheme.first), scheme.second,
+                     range);
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,98 @@
+#include "precision_references.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <functional>
+
+#include "sigmasweep/errors.hpp"
+#include "sigmasweep/scene/law.hpp"
+#include "sigmasweep/scene/real.hpp"
+#include "sigmasweep/solve/exact.hpp"
+#include "sigmasweep/solve/nonlinear.hpp"
+#include "sigmasweep/solve/normal_modes.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// References that differ by more than this are no references.
+constexpr double chaos = 1e-9;
+constexpr double settle = 1e-19;
+
+using Reference = std::function<Answer(const Parameters&)>;
+
+template <class Real>
+Answer answer(const Outcome<Real>& outcome, const Column<Real>& column) {
+  Answer a;
+  a.known = outcome.status == Status::ok;
+  if (!a.known) return a;
+  a.eps_eff = static_cast<long double>(energies<Real>(outcome.velocity, column.speed, column.mass).eps_eff);
+  for (const Real& v : outcome.velocity) a.velocity.push_back(static_cast<double>(v / column.speed));
+  return a;
+}
+
+template <class Real>
+Answer by_series(const Parameters& p) {
+  const Column<Real> column = reduced_column<Real>(p);
+  return answer<Real>(exact_collision(column, {.settle = settle}), column);
+}
+
+Answer by_modes(const Parameters& p) {
+  const auto column = reduced_column<long double>(p);
+  return answer(normal_modes_collision(column, {.settle = settle}), column);
+}
+
+Reference by_steps(double accuracy) {
+  return [accuracy](const Parameters& p) {
+    const auto column = reduced_column<long double>(p);
+    return answer(nonlinear_collision(column, {.accuracy = accuracy, .settle = settle}), column);
+  };
+}
+
+struct Pair {
+  Reference all, check;
+  bool check_is_better, independent;
+};
+Pair references_for(const Parameters& p) {
+  if (!exponents(p).linear()) return {by_steps(1e-17), by_steps(1e-14), false, false};
+  if (p.width > 0.0) return {by_series<long double>, by_series<Quad>, true, false};
+  return {by_modes, by_series<Quad>, true, true};
+}
+
+}  // namespace
+
+double thread_seconds() {
+  timespec now{};
+  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) throw IoError("there is no clock of a thread's CPU time");
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+References find_references(const std::vector<Parameters>& tuples, const PrecisionSpec& spec) {
+  const Pair pair = references_for(tuples.front());
+  References found;
+  found.independent = pair.independent;
+  const double start = thread_seconds();
+  for (std::size_t k = 0; k < tuples.size(); ++k) {
+    if (k > 0 && thread_seconds() - start > spec.seconds) break;
+    found.answers.push_back(pair.all(tuples[k]));
+    found.agreed.push_back(false);
+  }
+  const double half_time = thread_seconds();
+  for (std::size_t k = 0; k < std::min<std::size_t>(spec.checks, found.answers.size()); ++k) {
+    if (k > 0 && thread_seconds() - half_time > spec.seconds) break;
+    Answer other = pair.check(tuples[k]);
+    Answer& answer = found.answers[k];
+    ++found.checks;
+    const auto difference = static_cast<double>(std::fabs(other.eps_eff - answer.eps_eff));
+    if (other.known && answer.known && difference <= chaos) {
+      found.agreed[k] = true;
+      if (!(found.noise >= difference)) found.noise = difference;
+      if (pair.check_is_better) answer = std::move(other);
+    } else {
+      ++found.chaotic;
+    }
+  }
+  return found;
+}
+
+}  // namespace sigmasweep

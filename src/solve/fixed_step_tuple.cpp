@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <cmath>
+
+#include "in_si.hpp"
+#include "sigmasweep/solve/fixed_step.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+#include "sigmasweep/solve/stability.hpp"
+
+namespace sigmasweep {
+
+namespace {
+
+constexpr double hopeless = 1e5;  // growth in one tc
+constexpr double dense = 0.1;     // sigma up to which the column is closed as a whole for a while
+constexpr double fewest_steps = 20.0, most_steps = 1e6;  // a tc
+constexpr double most_work = 1e9;                         // steps times contacts of a collision
+constexpr double margin = 1.2, least_factor = 1.5, most_factor = 16.0;
+
+/// The collision in steps of tc/steps_per_tc, without an error.
+Collision stepped(const Parameters& p, const Column<double>& column, double step_limit, Patience* patience) {
+  const FixedStepOptions options{
+      .settle = 1e-3 * p.tolerance, .step_limit = step_limit, .patience = patience};
+  return in_si<double>(fixed_step_collision(column, p.integrator, 1.0 / p.steps_per_tc, options), p, column.mass);
+}
+
+/// With the distance to the exact result as the error.
+Collision compared(Collision c, const Collision& exact) {
+  if (!is_success(c.status)) return c;
+  // Both lie between 0 and 1 where nothing better is known.
+  const double worst = std::max(c.eps_eff, std::fabs(1.0 - c.eps_eff));
+  const double error = std::fabs(c.eps_eff - exact.eps_eff) + exact.eps_eff_error;
+  c.eps_eff_error = error <= worst ? error : worst;
+  return c;
+}
+
+Collision exact_of(Parameters p, Patience* patience) {
+  p.integrator = Integrator::exact;
+  return simulate(p, patience);
+}
+
+/// Beads that meet one by one are stable where the closed column is not; what surely happens is that one meets the wall.
+bool is_hopeless(const Parameters& p, Column<double> column) {
+  if (!column.is_uniform()) return false;
+  if (p.sigma > dense) column.N = 1;
+  return growth_in_a_contact(column, p.integrator, 1.0 / p.steps_per_tc) > hopeless;
+}
+
+Collision with_given_steps(const Parameters& p, Patience* patience) {
+  const Column<double> column = reduced_column<double>(p);
+  if (is_hopeless(p, column)) {
+    Collision nothing;
+    nothing.status = Status::unstable;
+    return nothing;
+  }
+  const Collision c = stepped(p, column, 0.0, patience);
+  return is_success(c.status) ? compared(c, exact_of(p, patience)) : c;
+}
+
+struct Choice {
+  Collision collision;
+  double steps_per_tc = fewest_steps;
+};
+
+Choice with_chosen_steps(Parameters p, Patience* patience) {
+  const double tolerance = p.tolerance;
+  p.tolerance = std::max(0.1 * tolerance, 1e-15);
+  const Collision exact = exact_of(p, patience);
+  p.tolerance = tolerance;
+  const Column<double> column = reduced_column<double>(p);
+  p.steps_per_tc = fewest_steps;
+  while (p.steps_per_tc < most_steps && !is_stable(column, p.integrator, 1.0 / p.steps_per_tc))
+    p.steps_per_tc *= 1.25;
+
+  Choice best;
+  best.collision.status = Status::unstable;
+  for (double factor = 1.0; p.steps_per_tc <= most_steps; p.steps_per_tc *= factor) {
+    const Collision c = compared(stepped(p, column, most_work / static_cast<double>(p.N), patience), exact);
+    const bool is_better = is_success(c.status) && !(c.eps_eff_error >= best.collision.eps_eff_error);
+    if (is_better || !is_success(best.collision.status)) best = {c, p.steps_per_tc};
+    if (best.collision.eps_eff_error <= tolerance) return best;
+    const bool goes_on = is_success(c.status) || c.status == Status::unstable;
+    if (!goes_on || !(exact.eps_eff_error < tolerance)) break;
+    factor = is_success(c.status) ? std::clamp(margin * c.eps_eff_error / tolerance, least_factor, most_factor)
+                                  : least_factor;
+  }
+  if (is_success(best.collision.status)) best.collision.status = Status::tolerance_missed;
+  return best;
+}
+
+}  // namespace
+
+Collision simulate_fixed_step(const Parameters& parameters, Patience* patience) {
+  if (parameters.steps_per_tc > 0.0) return with_given_steps(parameters, patience);
+  return with_chosen_steps(parameters, patience).collision;
+}
+
+double steps_taken(const Parameters& parameters) {
+  return parameters.steps_per_tc > 0.0 ? parameters.steps_per_tc : with_chosen_steps(parameters, nullptr).steps_per_tc;
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,127 @@
+#include "sigmasweep/store/precision_table.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+#include "attributes.hpp"
+#include "h5md_tree.hpp"
+#include "hdf5_handle.hpp"
+#include "packing.hpp"
+#include "posix.hpp"
+#include "sigmasweep/errors.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+#include "sigmasweep/store/build_info.hpp"
+#include "table_types.hpp"
+
+namespace sigmasweep {
+namespace {
+
+constexpr const char* format = "sigmasweep-precision";
+constexpr std::uint64_t format_version = 1;
+constexpr std::size_t number_size = 8;  // of a PrecisionField
+
+std::size_t row_size(std::span<const Field> parameters) {
+  return packed_size(parameters) + number_size * precision_fields().size();
+}
+
+Handle row_type(std::span<const Field> parameters) {
+  const char* const what = "cannot make a data type";
+  Handle type(H5Tcreate(H5T_COMPOUND, row_size(parameters)), H5Tclose, what);
+  std::size_t offset = 0;
+  for (const Field& field : parameters) {
+    check(H5Tinsert(type, std::string(field.name).c_str(), offset, value_type(field.type)), what);
+    offset += packed_size(field.type);
+  }
+  for (const PrecisionField& field : precision_fields()) {
+    check(H5Tinsert(type, std::string(field.name).c_str(), offset,
+                    field.real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64), what);
+    offset += number_size;
+  }
+  return type;
+}
+
+std::vector<std::byte> packed(std::span<const Field> parameters, std::span<const PrecisionRow> rows) {
+  std::vector<std::byte> bytes(rows.size() * row_size(parameters));
+  std::byte* out = bytes.data();
+  for (const PrecisionRow& each : rows) {
+    Row row;
+    row.parameters = each.parameters;
+    pack(parameters, row, out);
+    out += packed_size(parameters);
+    for (const PrecisionField& field : precision_fields()) {
+      std::memcpy(out, reinterpret_cast<const std::byte*>(&each) + field.offset, number_size);
+      out += number_size;
+    }
+  }
+  return bytes;
+}
+
+void put_rows(hid_t file, std::span<const Field> parameters, std::span<const PrecisionRow> rows) {
+  const char* const what = "cannot write dataset precision";
+  const Handle type = row_type(parameters);
+  const hsize_t count = rows.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, what);
+  Handle dataset(H5Dcreate2(file, "precision", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, what);
+  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed(parameters, rows).data()), what);
+  const auto describe = [&](std::string_view name, std::string_view unit, std::string_view meaning) {
+    write_text(dataset, fmt::format("unit:{}", name), std::string(unit));
+    write_text(dataset, fmt::format("meaning:{}", name), std::string(meaning));
+  };
+  for (const Field& field : parameters) describe(field.name, field.unit, field.meaning);
+  for (const PrecisionField& field : precision_fields()) describe(field.name, field.unit, field.meaning);
+  dataset.close(what);
+}
+
+void put_info(hid_t file, const PrecisionInfo& info, std::size_t rows) {
+  write_text(file, "format", format);
+  write_number(file, "format_version", format_version);
+  write_text(file, "title", info.title);
+  write_text(file, "spec", info.spec_text);
+  write_text(file, "spec_hash", fmt::format("{:016x}", info.spec_hash));
+  write_number(file, "physics_version", physics_version);
+  write_number(file, "rows", rows);
+  write_text(file, "program_version", build_info().program_version);
+  write_text(file, "git_revision", build_info().git_revision);
+  write_text(file, "compiler", build_info().compiler);
+  write_text(file, "compiler_flags", build_info().compiler_flags);
+  write_text(file, "host", info.host);
+  write_text(file, "start", info.start);
+  write_number(file, "ranks", static_cast<std::uint64_t>(info.ranks));
+}
+
+}  // namespace
+
+void write_precision_table(const std::string& path, const PrecisionInfo& info, std::span<const Field> parameters,
+                           std::span<const PrecisionRow> rows) {
+  const Hdf5Session session;
+  std::vector<Field> columns(parameters.begin(), parameters.end());
+  if (std::ranges::find(columns, "integrator", &Field::name) == columns.end())
+    columns.push_back(*find_field("integrator"));
+  const std::string part = path + ".part";
+  try {
+    const Handle file = h5md::new_file();
+    put_info(file, info, rows.size());
+    put_rows(file, columns, rows);
+    const std::vector<std::byte> image = h5md::image_of(file);
+    const File out(part, O_WRONLY | O_CREAT | O_TRUNC);
+    if (!out.is_open()) throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
+    int error = write_at(out.fd(), image, 0);
+    if (error == 0 && ::fsync(out.fd()) != 0) error = errno;
+    if (error != 0) throw IoError(fmt::format("cannot write {}: {}", part, reason(error)));
+    if (std::rename(part.c_str(), path.c_str()) != 0)
+      throw OutputError(fmt::format("cannot create {}: {}", path, reason(errno)));
+  } catch (...) {
+    ::unlink(part.c_str());
+    throw;
+  }
+  sync_directory_of(path);
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,73 @@
+/* LD_PRELOAD: the FAIL_AT-th call of FAIL_CALL on a file whose path contains FAIL_PATH fails with FAIL_ERRNO; so do
+   those after it, if FAIL_ON is set. In the process of rank FAIL_RANK only, if that is set. */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/types.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+static atomic_int calls;
+
+static int of_our_rank(void) {
+  const char *wanted = getenv("FAIL_RANK"), *rank = getenv("OMPI_COMM_WORLD_RANK");
+  return wanted == NULL || (rank != NULL && strcmp(wanted, rank) == 0);
+}
+
+/* errno of the failure, or 0 */
+static int fails(const char *call, const char *path) {
+  const char *wanted = getenv("FAIL_CALL"), *part = getenv("FAIL_PATH");
+  if (wanted == NULL || part == NULL || strcmp(wanted, call) != 0 || strstr(path, part) == NULL || !of_our_rank()) return 0;
+  const int at = atoi(getenv("FAIL_AT")), now = ++calls;
+  return now == at || (now > at && getenv("FAIL_ON") != NULL) ? atoi(getenv("FAIL_ERRNO")) : 0;
+}
+
+static int fails_fd(const char *call, int fd) {
+  char link[64], path[4096];
+  snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
+  const ssize_t size = readlink(link, path, sizeof path - 1);
+  path[size > 0 ? size : 0] = '\0';
+  return fails(call, path);
+}
+
+#define WRAP(type, name, group, arguments, values)                            \
+  type name arguments {                                                       \
+    static type (*real) arguments;                                            \
+    if (real == NULL) real = (type(*) arguments)dlsym(RTLD_NEXT, #name);      \
+    const int error = fails_fd(group, fd);                                    \
+    if (error != 0) return errno = error, -1;                                 \
+    return real values;                                                       \
+  }
+WRAP(ssize_t, write, "write", (int fd, const void *data, size_t size), (fd, data, size))
+WRAP(ssize_t, pwrite, "write", (int fd, const void *data, size_t size, off_t at), (fd, data, size, at))
+WRAP(ssize_t, pwrite64, "write", (int fd, const void *data, size_t size, off64_t at), (fd, data, size, at))
+WRAP(ssize_t, writev, "write", (int fd, const struct iovec *parts, int count), (fd, parts, count))
+WRAP(ssize_t, pwritev, "write", (int fd, const struct iovec *parts, int count, off_t at), (fd, parts, count, at))
+WRAP(ssize_t, pwritev64, "write", (int fd, const struct iovec *parts, int count, off64_t at), (fd, parts, count, at))
+WRAP(int, fsync, "fsync", (int fd), (fd))
+WRAP(int, fdatasync, "fdatasync", (int fd), (fd))
+WRAP(int, ftruncate, "ftruncate", (int fd, off_t size), (fd, size))
+WRAP(int, ftruncate64, "ftruncate", (int fd, off64_t size), (fd, size))
+
+#define WRAP_ALLOCATE(name, offset)                                           \
+  int name(int fd, offset at, offset size) {                                  \
+    static int (*real)(int, offset, offset);                                  \
+    if (real == NULL) real = (int (*)(int, offset, offset))dlsym(RTLD_NEXT, #name); \
+    const int error = fails_fd("posix_fallocate", fd);                        \
+    return error != 0 ? error : real(fd, at, size);                           \
+  }
+WRAP_ALLOCATE(posix_fallocate, off_t)
+WRAP_ALLOCATE(posix_fallocate64, off64_t)
+
+int rename(const char *from, const char *to) {
+  static int (*real)(const char *, const char *);
+  if (real == NULL) real = (int (*)(const char *, const char *))dlsym(RTLD_NEXT, "rename");
+  const int error = fails("rename", to);
+  if (error != 0) return errno = error, -1;
+  return real(from, to);
+}
