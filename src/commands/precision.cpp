@@ -73,6 +73,7 @@ std::vector<PrecisionRow> gathered(const World& world, const std::vector<Precisi
 /// All scenes on all ranks, each scene on one; the rows on the manager.
 std::vector<PrecisionRow> measure(const World& world, const Sweep& sweep, const PrecisionSpec& study, bool quiet,
                                   bool& complete) {
+  if (world.size() > 1) throw UsageError("a precision study runs on one rank, without mpirun");
   const auto ranks_per_core = static_cast<std::int64_t>(std::ceil(world.crowding()));
   const StopRequest stop;
   std::optional<Schedule> schedule;
