@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "commands/command_line.hpp"
+#include "commands/exit_codes.hpp"
 #include "commands/version.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/sweep/spelling.hpp"
 
 namespace {
 
-constexpr int usage_error = 64, internal_error = 70, io_error = 74;
+using namespace sigmasweep;
 
 constexpr const char* description =
     "sigmasweep computes what columns of beads do when they hit a wall, for whole grids of parameters, on as many\n"
@@ -77,14 +78,14 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
   for (char& c : message)
     if (c == '\n') c = ' ';
   complain(fmt::format("{} (see sigmasweep {}--help)", message, command));
-  return usage_error;
+  return exit_code::usage_error;
 }
 
 /// What was written to stdout is there, or we say so.
 int flushed(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   complain("cannot write to standard output");
-  return io_error;
+  return exit_code::io_error;
 }
 
 }  // namespace
@@ -111,6 +112,6 @@ int main(int argc, char** argv) {
     return error.exit_code();
   } catch (const std::exception& error) {
     complain(fmt::format("internal error: {}", error.what()));
-    return internal_error;
+    return exit_code::internal_error;
   }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/mpi/exception.hpp>
 #include <cstdlib>
+#include <numeric>
 #include <stdexcept>
 #include <type_traits>
 
@@ -106,19 +107,21 @@ std::string World::broadcast(std::string text) const {
   return text;
 }
 
+// By collectives: these have a communication context of their own. A message of ours would meet a manager that still
+// waits for the workers' last words in distribute(), and be taken for one of them.
 std::vector<std::string> World::gather(const std::string& bytes) const {
-  std::vector<std::string> all(1, bytes);
-  for (int from = 1; from < size(); ++from) {
-    if (rank() == from) check(MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_CHAR, 0, 0, impl_->communicator), "MPI_Send");
-    if (!is_manager()) continue;
-    MPI_Status status;
-    int count = 0;
-    check(MPI_Probe(from, 0, impl_->communicator, &status), "MPI_Probe");
-    check(MPI_Get_count(&status, MPI_CHAR, &count), "MPI_Get_count");
-    std::string& there = all.emplace_back(static_cast<std::size_t>(count), '\0');
-    check(MPI_Recv(there.data(), count, MPI_CHAR, from, 0, impl_->communicator, MPI_STATUS_IGNORE), "MPI_Recv");
-  }
-  if (!is_manager()) all.clear();
+  const auto ranks = static_cast<std::size_t>(size());
+  const int mine = static_cast<int>(bytes.size());
+  std::vector<int> counts(ranks), places(ranks);
+  check(MPI_Gather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, impl_->communicator), "MPI_Gather");
+  std::exclusive_scan(counts.begin(), counts.end(), places.begin(), 0);
+  std::string together(static_cast<std::size_t>(places.back() + counts.back()), '\0');
+  check(MPI_Gatherv(bytes.data(), mine, MPI_CHAR, together.data(), counts.data(), places.data(), MPI_CHAR, 0,
+                    impl_->communicator),
+        "MPI_Gatherv");
+  std::vector<std::string> all;
+  for (std::size_t rank = 0; is_manager() && rank < ranks; ++rank)
+    all.push_back(together.substr(static_cast<std::size_t>(places[rank]), static_cast<std::size_t>(counts[rank])));
   return all;
 }
 

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "engine_ledger.hpp"
+#include "exit_codes.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/summary.hpp"
 #include "sigmasweep/solve/simulate.hpp"
@@ -19,8 +20,7 @@ namespace sigmasweep {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
-  constexpr int bad_data = 65;
-  throw Error(bad_data, what + "; nothing was written");
+  throw Error(exit_code::bad_data, what + "; nothing was written");
 }
 
 /// The table of a part, which must be of this sweep (the first part: of any) and of this program.

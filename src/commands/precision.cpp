@@ -1,13 +1,9 @@
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -16,6 +12,9 @@
 
 #include "commands.hpp"
 #include "engine_stop.hpp"
+#include "exit_codes.hpp"
+#include "on_manager.hpp"
+#include "provenance.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/precision.hpp"
 #include "sigmasweep/report/progress.hpp"
@@ -26,23 +25,7 @@
 namespace sigmasweep {
 namespace {
 
-constexpr int success = 0, stopped = 75;
-
-/// Does `step` on the manager; the others return the exit code of what it threw there.
-template <class Step>
-int on_manager(const World& world, Step step) {
-  std::exception_ptr error;
-  int code = success;
-  if (world.is_manager()) try {
-      step();
-    } catch (const Error& e) {
-      code = e.exit_code();
-      error = std::current_exception();
-    }
-  code = static_cast<int>(world.broadcast(std::int64_t{code}));
-  if (error) std::rethrow_exception(error);
-  return code;
-}
+using namespace exit_code;
 
 Sweep with_precision(Sweep sweep, const std::string& spec) {
   if (!sweep.precision()) throw SpecError(fmt::format("{}: a precision study needs a table [precision]", spec));
@@ -73,7 +56,6 @@ std::vector<PrecisionRow> gathered(const World& world, const std::vector<Precisi
 /// All scenes on all ranks, each scene on one; the rows on the manager.
 std::vector<PrecisionRow> measure(const World& world, const Sweep& sweep, const PrecisionSpec& study, bool quiet,
                                   bool& complete) {
-  if (world.size() > 1) throw UsageError("a precision study runs on one rank, without mpirun");
   const auto ranks_per_core = static_cast<std::int64_t>(std::ceil(world.crowding()));
   const StopRequest stop;
   std::optional<Schedule> schedule;
@@ -121,12 +103,6 @@ std::vector<PrecisionRow> measure(const World& world, const Sweep& sweep, const 
   return gathered(world, mine);
 }
 
-PrecisionInfo info_of(const Sweep& sweep, const std::string& start, int ranks) {
-  char host[256] = "";
-  if (gethostname(host, sizeof host - 1) != 0) std::strcpy(host, "?");
-  return {sweep.title(), sweep.text(), host, start, sweep.hash(), ranks};
-}
-
 /// The parameters that a table of the sweep has.
 std::vector<Field> parameters_of(const Sweep& sweep) {
   std::vector<Field> parameters;
@@ -160,33 +136,40 @@ void draw(const Sweep& sweep, std::span<const PrecisionRow> rows, const std::str
 }  // namespace
 
 int precision(World& world, const PrecisionOptions& options) {
-  const std::string start = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
+  const std::string start = utc_now();
   std::optional<Sweep> sweep;
-  if (const int code = on_manager(world, [&] { sweep = with_precision(Sweep::load(options.spec), options.spec); }))
-    return code;
+  const int loaded = on_manager(world, [&] {
+    sweep = with_precision(Sweep::load(options.spec), options.spec);
+    return success;
+  });
+  if (loaded != success) return loaded;
   const std::string text = world.broadcast(sweep ? sweep->text() : "");
   if (!sweep) sweep = Sweep::parse(text, options.spec);
   const PrecisionSpec study = study_of(*sweep, options);
   bool complete = false;
   const auto rows = measure(world, *sweep, study, options.quiet, complete);
   const std::string table = options.output.empty() ? default_table(options.spec) : options.output;
-  int ended = success;
-  const int code = on_manager(world, [&] {
+  return on_manager(world, [&] {
     if (!complete) {
       fmt::print(stderr, "sigmasweep: stopped before all scenes were measured; nothing is written\n");
-      ended = stopped;
-      return;
+      return stopped;
     }
     fmt::print("{}", precision_text(rows, sweep->axes()));
     if (rows.front().ranks_per_core > 1)
       fmt::print("\n{} ranks shared a processor: the times are CPU times, but caches were shared, too\n",
                  rows.front().ranks_per_core);
-    write_precision_table(table, info_of(*sweep, start, world.size()), parameters_of(*sweep), rows);
+    TableInfo info;
+    info.title = sweep->title();
+    info.spec_text = sweep->text();
+    info.spec_hash = sweep->hash();
+    info.host = host_name();
+    info.start = start;
+    info.ranks = world.size();
+    write_precision_table(table, info, parameters_of(*sweep), rows);
     fmt::print(stderr, "{}\n", table);
     if (options.plots) draw(*sweep, rows, table);
+    return success;
   });
-  if (code != success) return code;
-  return static_cast<int>(world.broadcast(std::int64_t{ended}));
 }
 
 }  // namespace sigmasweep

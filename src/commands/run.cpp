@@ -1,8 +1,6 @@
 #include "run.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -21,6 +19,9 @@
 #include "engine_ledger.hpp"
 #include "engine_stop.hpp"
 #include "engine_trajectories.hpp"
+#include "exit_codes.hpp"
+#include "on_manager.hpp"
+#include "provenance.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/progress.hpp"
 #include "sigmasweep/report/summary.hpp"
@@ -36,42 +37,12 @@
 namespace sigmasweep {
 namespace {
 
-constexpr int success = 0, some_rows_failed = 1, stopped = 75, internal_error = 70;
-constexpr int dedicated_manager_from = 17;  // ranks: what a manager that only manages may cost, 6 %
+using namespace exit_code;
 
-/// Does `step` on the manager; all ranks learn how it went. The manager throws what the step threw, the other ranks
-/// return its exit code.
-template <class Step>
-int on_manager(const World& world, Step step) {
-  std::exception_ptr error;
-  int code = success;
-  if (world.is_manager()) {
-    try {
-      code = step();
-    } catch (const Error& e) {
-      code = e.exit_code();
-      error = std::current_exception();
-    } catch (const std::exception&) {
-      code = internal_error;
-      error = std::current_exception();
-    }
-  }
-  code = static_cast<int>(world.broadcast(std::int64_t{code}));
-  if (error) std::rethrow_exception(error);
-  return code;
-}
+constexpr int dedicated_manager_from = 17;  // ranks: what a manager that only manages may cost, 6 %
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::string host_name() {
-  char name[256] = "";
-  return gethostname(name, sizeof name - 1) == 0 ? name : "?";
-}
-
-std::string utc_now() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
 }
 
 /// The run on one rank. Every member function is called on all ranks alike, except those that say otherwise.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "sigmasweep/comm/world.hpp"
 #include "sigmasweep/errors.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 
 template <class Command>
 int on_all_ranks(int& argc, char**& argv, Command command) {
-  constexpr int internal_error = 70;
   World world(argc, argv);
   try {
     return command(world);
@@ -27,7 +27,7 @@ int on_all_ranks(int& argc, char**& argv, Command command) {
     fmt::print(stderr, "sigmasweep: {}\n", error.what());
     return error.exit_code();
   } catch (const std::exception& error) {
-    abort_all(world, internal_error, error.what());
+    abort_all(world, exit_code::internal_error, error.what());
   }
 }
 

@@ -34,13 +34,6 @@ std::string rows_by_status(std::span<const Row> rows) {
   return text;
 }
 
-std::vector<Field> all_fields() {
-  std::vector<Field> fields;
-  for (const auto part : {parameter_fields(), result_fields(), timing_fields()})
-    fields.insert(fields.end(), part.begin(), part.end());
-  return fields;
-}
-
 std::string repeat_command(const Row& row) {
   // Both of s0 and sigma are stored; give the one that the other follows from to the bit.
   Parameters p = row.parameters;

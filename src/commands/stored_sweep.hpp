@@ -22,9 +22,6 @@ StoredSweep read_stored_sweep(const std::string& path);
 /// "ok 2005, time_limit 5".
 std::string rows_by_status(std::span<const Row> rows);
 
-/// Parameters, results and timings: all that a condition on a finished row may name.
-std::vector<Field> all_fields();
-
 /// The command line that computes this row again, to the bit.
 std::string repeat_command(const Row& row);
 

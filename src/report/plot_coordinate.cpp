@@ -16,7 +16,7 @@ Formula formula_of(const std::string& text) {
   if (std::ranges::all_of(text, is_letter) && !enumerators(field_named(text).type).empty())
     throw UsageError(fmt::format("plot: '{}' is not a number and cannot be an axis", text));
   try {
-    return Formula(text, known_fields());
+    return Formula(text, all_fields());
   } catch (const UsageError& error) {
     throw UsageError(fmt::format("plot: '{}': {}", text, error.what()));
   }
@@ -24,19 +24,9 @@ Formula formula_of(const std::string& text) {
 
 }  // namespace
 
-std::vector<Field> known_fields() {
-  std::vector<Field> fields;
-  for (const auto part : {parameter_fields(), result_fields(), timing_fields()})
-    fields.insert(fields.end(), part.begin(), part.end());
-  return fields;
-}
-
 const Field& field_named(const std::string& name) {
   if (const Field* field = find_field(name)) return *field;
-  std::vector<std::string_view> known;
-  for (const auto part : {parameter_fields(), result_fields(), timing_fields()})
-    for (const Field& field : part) known.push_back(field.name);
-  throw UsageError(fmt::format("plot: there is no field '{}'{}", name, hint(name, known)));
+  throw UsageError(fmt::format("plot: there is no field '{}'{}", name, hint(name, field_names())));
 }
 
 Coordinate::Coordinate(const std::string& text) : text_(text), field_(find_field(text)), formula_(formula_of(text)) {}

@@ -26,7 +26,5 @@ class Coordinate {
 
 /// Fields by name. Throws UsageError for one that is not there.
 const Field& field_named(const std::string& name);
-/// Parameters, results and timings.
-std::vector<Field> known_fields();
 
 }  // namespace sigmasweep::plot

@@ -42,7 +42,7 @@ std::vector<const Row*> chosen(std::span<const Row> rows, const std::string& con
   std::vector<const Row*> kept;
   std::optional<Where> where;
   try {
-    if (!condition.empty()) where.emplace(condition, known_fields());
+    if (!condition.empty()) where.emplace(condition, all_fields());
   } catch (const UsageError& error) {
     throw UsageError(fmt::format("plot: '{}': {}", condition, error.what()));
   }

@@ -21,7 +21,7 @@ Point point_at(const Curve& curve, double x) {
 Guides::Guides(const PlotSpec& spec) {
   for (const GuideSpec& guide : spec.guides) {
     guides_.push_back({guide, std::nullopt, std::nullopt});
-    if (!guide.where.empty()) guides_.back().where.emplace(guide.where, known_fields());
+    if (!guide.where.empty()) guides_.back().where.emplace(guide.where, all_fields());
     if (!guide.y && spec.x_log != spec.y_log)
       throw UsageError("plot: a guide with a slope needs two logarithmic axes, or two linear ones");
   }

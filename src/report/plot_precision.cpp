@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -34,15 +33,6 @@ struct Panel {
   double noise = PrecisionRow::nan;
   std::vector<Series> series;
 };
-
-std::string quoted(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'') out += '\'';
-    out += std::iscntrl(static_cast<unsigned char>(c)) ? ' ' : c;
-  }
-  return out + "'";
-}
 
 Series& series_named(Panel& panel, const std::string& label) {
   const auto found = std::ranges::find(panel.series, label, &Series::label);
@@ -153,8 +143,8 @@ void draw(std::span<const Panel> panels, const std::string& title, const std::st
   const std::size_t lines = (panels.size() + columns - 1) / columns;
   const Picture picture(panels);
   const bool single = panels.size() == 1;
-  std::string script =
-      fmt::format("set encoding utf8\nset terminal {}\n", terminal(form, single ? 2.0 : double(columns), single ? 1.5 : double(lines)));
+  const auto size = single ? std::pair(2.0, 1.5) : std::pair(double(columns), double(lines));
+  std::string script = fmt::format("set encoding utf8\nset terminal {}\n", terminal(form, size.first, size.second));
   script += fmt::format("set multiplot layout {},{} rowsfirst title {} noenhanced\n", lines, columns, quoted(title));
   script += "set border 3 linecolor '#404040'\nset tics nomirror out\nset key right top samplen 1.5 reverse Left\n"
             "set grid linetype 1 linecolor '#E4E4E4' linewidth 0.6\n" +
@@ -195,7 +185,8 @@ void plot_precision(std::span<const PrecisionRow> rows, std::span<const std::str
 void plot_precision_of(std::span<const Row> rows, const std::string& title, const std::string& path) {
   Panel panel;
   const auto differs = [&](auto member) {
-    return std::ranges::any_of(rows, [&](const Row& row) { return row.parameters.*member != rows[0].parameters.*member; });
+    const auto first = rows[0].parameters.*member;
+    return std::ranges::any_of(rows, [&](const Row& row) { return row.parameters.*member != first; });
   };
   const bool steps = differs(&Parameters::steps_per_tc), tolerances = differs(&Parameters::tolerance);
   for (const Row& row : rows) {

@@ -10,6 +10,7 @@
 #include "sigmasweep/solve/fixed_step.hpp"
 #include "sigmasweep/solve/nonlinear.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "sigmasweep/solve/thread_clock.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 
 namespace sigmasweep {

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <functional>
 
-#include "sigmasweep/errors.hpp"
 #include "sigmasweep/scene/law.hpp"
 #include "sigmasweep/scene/real.hpp"
 #include "sigmasweep/solve/exact.hpp"
 #include "sigmasweep/solve/nonlinear.hpp"
 #include "sigmasweep/solve/normal_modes.hpp"
+#include "sigmasweep/solve/thread_clock.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -60,12 +59,6 @@ Pair references_for(const Parameters& p) {
 }
 
 }  // namespace
-
-double thread_seconds() {
-  timespec now{};
-  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) throw IoError("there is no clock of a thread's CPU time");
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 References find_references(const std::vector<Parameters>& tuples, const PrecisionSpec& spec) {
   const Pair pair = references_for(tuples.front());

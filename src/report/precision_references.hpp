@@ -26,7 +26,4 @@ struct References {
 
 References find_references(const std::vector<Parameters>& tuples, const PrecisionSpec& spec);
 
-/// CPU time of the calling thread, s.
-double thread_seconds();
-
 }  // namespace sigmasweep

@@ -94,7 +94,8 @@ std::string why_invalid(const Parameters& p) {
   if (p.seed < 0) return fmt::format("seed = {} is not allowed: it must be >= 0.", p.seed);
   if (p.N < 1 || p.N > max_beads)
     return fmt::format("N = {} is not allowed: it must be a whole number from 1 to {}.", p.N, max_beads);
-  if (p.steps_per_tc != 0.0 && !within(p.steps_per_tc, 2.0, 1e6)) return refuse("steps_per_tc", p.steps_per_tc, "from 2 to 1e6");
+  if (p.steps_per_tc != 0.0 && !within(p.steps_per_tc, 2.0, 1e6))
+    return refuse("steps_per_tc", p.steps_per_tc, "from 2 to 1e6");
   if (!within(p.tolerance, 1e-15, 0.1)) return refuse("tolerance", p.tolerance, "from 1e-15 to 0.1");
   return {};
 }

@@ -63,7 +63,8 @@ Modes make(RunKind kind, std::size_t c) {
 
 const Modes& ModeTables::of(RunKind kind, std::size_t contacts) {
   const auto found = tables_.find({kind, contacts});
-  return found != tables_.end() ? found->second : tables_.emplace(std::pair(kind, contacts), make(kind, contacts)).first->second;
+  if (found != tables_.end()) return found->second;
+  return tables_.emplace(std::pair(kind, contacts), make(kind, contacts)).first->second;
 }
 
 Propagator propagator(long double mu, long double omega2, long double t) {

@@ -85,9 +85,9 @@ double gain() {
   return std::numeric_limits<double>::epsilon() / static_cast<double>(std::numeric_limits<Wide>::epsilon());
 }
 
-/// The error bar from two twins of the column, whose dashpots, gaps and masses differ from its own in the thirteenth digit. In a
-/// long tail of contacts that carry next to no energy a linearised disturbance grows without end, and says nothing; the
-/// twins go their own way there, too, but end where the energy lets them.
+/// The error bar from two twins of the column, whose dashpots, gaps and masses differ from its own in the thirteenth
+/// digit. In a long tail of contacts that carry next to no energy a linearised disturbance grows without end, and says
+/// nothing; the twins go their own way there, too, but end where the energy lets them.
 double spread(const Parameters& p, const ExactOptions& options, double eps_eff) {
   double largest = 0.0;
   for (const double change : {-1e-13, 1e-13}) {

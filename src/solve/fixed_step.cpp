@@ -9,9 +9,9 @@
 #include <immintrin.h>
 #endif
 
+#include "contact_force.hpp"
 #include "energy_balance.hpp"
 #include "fixed_step_chain.hpp"
-#include "fixed_step_force.hpp"
 #include "fixed_step_gear5.hpp"
 #include "fixed_step_rk4.hpp"
 #include "fixed_step_verlet.hpp"
@@ -236,7 +236,6 @@ Outcome<double> run(Watcher& watcher, const Column<double>& column, Integrator i
 template <class Watcher>
 Outcome<double> watched_by(Watcher& watcher, const Column<double>& column, Integrator integrator, double dt,
                            const FixedStepOptions& options) {
-  using namespace fixed_step;
   const auto [beta, gamma] = column.exponents;
   const auto with = [&]<class Force, bool Uneven>() {
     return run<Chain<Force, Uneven>>(watcher, column, integrator, dt, options);

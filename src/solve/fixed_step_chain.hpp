@@ -6,6 +6,7 @@
 #include <new>
 #include <vector>
 
+#include "contact_force.hpp"
 #include "sigmasweep/solve/column.hpp"
 
 namespace sigmasweep {
@@ -85,7 +86,7 @@ struct Chain {
     const Force law = force;
 #pragma GCC ivdep
     for (std::size_t k = 0, n = lanes(); k < n; ++k)
-      F[k] = law(spring[k], dashpot[k], overlap[k], rate[k]);
+      F[k] = where_closed(law, spring[k], dashpot[k], overlap[k], rate[k]);
   }
 
   std::size_t contacts, blocks;

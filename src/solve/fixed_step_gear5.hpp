@@ -46,7 +46,7 @@ class Gear5 {
       r2[k] += 3.0 * a3 + 6.0 * a4 + 10.0 * a5;
       r3[k] += 4.0 * a4 + 10.0 * a5;
       r4[k] += 5.0 * a5;
-      F[k] = force(K[k], C[k], r0[k], r1[k]);
+      F[k] = where_closed(force, K[k], C[k], r0[k], r1[k]);
     }
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {

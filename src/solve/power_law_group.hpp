@@ -7,14 +7,14 @@
 #include <span>
 #include <vector>
 
-#include "power_force.hpp"
+#include "contact_forces.hpp"
 #include "sigmasweep/scene/dormand_prince.hpp"
 #include "sigmasweep/solve/column.hpp"
 
 namespace sigmasweep {
 
 /// A run of neighbouring contacts, closed ones with the open gaps beside them, moved step by step:
-///     x_k'' = F_(k-1)/m_(k-1) - F_k (1/m_(k-1) + 1/m_k) + F_(k+1)/m_k,  F of power_force.hpp where k is closed.
+///     x_k'' = F_(k-1)/m_(k-1) - F_k (1/m_(k-1) + 1/m_k) + F_(k+1)/m_k,  F of contact_force.hpp where k is closed.
 /// The independent variable of a step is the time or, while a contact (the leader) is near x = 0, its s = x^(1/q):
 ///     dt/ds = q s^(q-1)/u,  dx_j/ds = u_j dt/ds,  du_j/ds = a_j dt/ds,
 /// with q such that all powers of s in the leader's force are whole. In s the force is smooth through the closing and
@@ -77,7 +77,7 @@ class PowerLawGroup {
   void read(const State& y, const Real& at, std::span<Real> x, std::span<Real> u) const;
 
   const Column<Real>& column_;
-  PowerForce<Real> force_;
+  ContactForces<Real> force_;
   Real accuracy_, delta_;
   int q_;
   std::size_t lo_ = 0, n_ = 0;

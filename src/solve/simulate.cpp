@@ -1,7 +1,5 @@
 #include "sigmasweep/solve/simulate.hpp"
 
-#include <exception>
-
 #include "sigmasweep/scene/law.hpp"
 #include "sigmasweep/solve/exact.hpp"
 #include "sigmasweep/solve/fixed_step.hpp"
@@ -27,12 +25,12 @@ Collision simulated(const Parameters& parameters, Patience* patience) {
 
 }  // namespace
 
-Collision simulate(const Parameters& parameters, Patience* patience) {
-  if (!why_invalid(parameters).empty()) return without_result(Status::failed);
+Collision simulate(const Parameters& parameters, Patience* patience) noexcept {
   try {
+    if (!why_invalid(parameters).empty()) return without_result(Status::failed);
     const Collision collision = simulated(parameters, patience);
     return patience && patience->was_over() ? without_result(Status::time_limit) : collision;
-  } catch (const std::exception&) {  // memory, most likely
+  } catch (...) {  // memory, most likely
     return without_result(Status::failed);
   }
 }

@@ -1,6 +1,5 @@
 #include "sigmasweep/store/h5md.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <pwd.h>
 #include <sys/stat.h>
@@ -137,17 +136,6 @@ std::vector<std::byte> image_of(const Tuple& tuple, const Trajectory& trajectory
   return h5md::image_of(file);
 }
 
-/// Written and synced, or gone again.
-void write_whole(const std::string& part, std::span<const std::byte> bytes) {
-  const File file(part, O_WRONLY | O_CREAT | O_TRUNC);
-  if (!file.is_open()) throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
-  int error = write_at(file.fd(), bytes, 0);
-  if (error == 0 && ::fsync(file.fd()) != 0) error = errno;
-  if (error == 0) return;
-  ::unlink(part.c_str());
-  throw IoError(fmt::format("cannot write {}: {}", part, reason(error)));
-}
-
 }  // namespace
 
 void write_h5md(const std::string& path, const Tuple& tuple, const Trajectory& trajectory) {
@@ -158,12 +146,7 @@ void write_h5md(const std::string& path, const Tuple& tuple, const Trajectory& t
   } catch (const IoError& error) {
     throw IoError(fmt::format("cannot make {}: {}", path, error.what()));
   }
-  const std::string part = path + ".part";
-  write_whole(part, image);
-  if (std::rename(part.c_str(), path.c_str()) == 0) return;
-  const int error = errno;
-  ::unlink(part.c_str());
-  throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
+  write_whole_file(path, image);
 }
 
 Trajectory read_h5md(const std::string& path) {

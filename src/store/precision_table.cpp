@@ -1,12 +1,8 @@
 #include "sigmasweep/store/precision_table.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <vector>
 
@@ -15,9 +11,7 @@
 #include "hdf5_handle.hpp"
 #include "packing.hpp"
 #include "posix.hpp"
-#include "sigmasweep/errors.hpp"
-#include "sigmasweep/solve/simulate.hpp"
-#include "sigmasweep/store/build_info.hpp"
+#include "table_info.hpp"
 #include "table_types.hpp"
 
 namespace sigmasweep {
@@ -79,49 +73,18 @@ void put_rows(hid_t file, std::span<const Field> parameters, std::span<const Pre
   dataset.close(what);
 }
 
-void put_info(hid_t file, const PrecisionInfo& info, std::size_t rows) {
-  write_text(file, "format", format);
-  write_number(file, "format_version", format_version);
-  write_text(file, "title", info.title);
-  write_text(file, "spec", info.spec_text);
-  write_text(file, "spec_hash", fmt::format("{:016x}", info.spec_hash));
-  write_number(file, "physics_version", physics_version);
-  write_number(file, "rows", rows);
-  write_text(file, "program_version", build_info().program_version);
-  write_text(file, "git_revision", build_info().git_revision);
-  write_text(file, "compiler", build_info().compiler);
-  write_text(file, "compiler_flags", build_info().compiler_flags);
-  write_text(file, "host", info.host);
-  write_text(file, "start", info.start);
-  write_number(file, "ranks", static_cast<std::uint64_t>(info.ranks));
-}
-
 }  // namespace
 
-void write_precision_table(const std::string& path, const PrecisionInfo& info, std::span<const Field> parameters,
+void write_precision_table(const std::string& path, const TableInfo& info, std::span<const Field> parameters,
                            std::span<const PrecisionRow> rows) {
   const Hdf5Session session;
   std::vector<Field> columns(parameters.begin(), parameters.end());
   if (std::ranges::find(columns, "integrator", &Field::name) == columns.end())
     columns.push_back(*find_field("integrator"));
-  const std::string part = path + ".part";
-  try {
-    const Handle file = h5md::new_file();
-    put_info(file, info, rows.size());
-    put_rows(file, columns, rows);
-    const std::vector<std::byte> image = h5md::image_of(file);
-    const File out(part, O_WRONLY | O_CREAT | O_TRUNC);
-    if (!out.is_open()) throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
-    int error = write_at(out.fd(), image, 0);
-    if (error == 0 && ::fsync(out.fd()) != 0) error = errno;
-    if (error != 0) throw IoError(fmt::format("cannot write {}: {}", part, reason(error)));
-    if (std::rename(part.c_str(), path.c_str()) != 0)
-      throw OutputError(fmt::format("cannot create {}: {}", path, reason(errno)));
-  } catch (...) {
-    ::unlink(part.c_str());
-    throw;
-  }
-  sync_directory_of(path);
+  const Handle file = h5md::new_file();
+  write_info(file, format, format_version, info, rows.size());
+  put_rows(file, columns, rows);
+  write_whole_file(path, h5md::image_of(file));
 }
 
 }  // namespace sigmasweep

@@ -46,9 +46,10 @@ TableInfo common_info(const Team& team, TableInfo info) {
   return info;
 }
 
-void write_info(hid_t file, const TableInfo& info, std::uint64_t rows) {
-  write_text(file, "format", table_format);
-  write_number(file, "format_version", table_format_version);
+void write_info(hid_t file, const char* format, std::uint64_t format_version, const TableInfo& info,
+                std::uint64_t rows) {
+  write_text(file, "format", format);
+  write_number(file, "format_version", format_version);
   write_text(file, "title", info.title);
   write_text(file, "spec", info.spec_text);
   write_text(file, "spec_hash", fmt::format("{:016x}", info.spec_hash));

@@ -149,7 +149,7 @@ std::vector<std::uint64_t> write_part(const Team& team, const std::string& path,
   const TableInfo common = common_info(team, info);
   std::vector<Handle> datasets;
   team.together([&] {
-    write_info(file, common, total_rows);
+    write_info(file, table_format, table_format_version, common, total_rows);
     for (const Section& section : sections) datasets.push_back(create_dataset(file, section, total_rows));
   });
   team.together([&] {

@@ -100,6 +100,19 @@ std::span<const Field> parameter_fields() { return parameters; }
 std::span<const Field> result_fields() { return results; }
 std::span<const Field> timing_fields() { return timings; }
 
+std::vector<Field> all_fields() {
+  std::vector<Field> all;
+  for (const auto fields : {parameter_fields(), result_fields(), timing_fields()})
+    all.insert(all.end(), fields.begin(), fields.end());
+  return all;
+}
+
+std::vector<std::string_view> field_names() {
+  std::vector<std::string_view> names;
+  for (const Field& field : all_fields()) names.push_back(field.name);
+  return names;
+}
+
 const Field* find_field(std::string_view name) {
   for (const auto fields : {parameter_fields(), result_fields(), timing_fields()})
     for (const Field& field : fields)

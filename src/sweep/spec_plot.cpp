@@ -26,19 +26,9 @@ constexpr std::array<std::string_view, 2> run_keys{"manager", "tuple_time_limit"
 constexpr std::array<std::string_view, 3> managers{"auto", "computes", "dedicated"};
 constexpr std::size_t max_plots = 100;
 
-std::vector<Field> all_fields() {
-  std::vector<Field> all;
-  for (const auto fields : {parameter_fields(), result_fields(), timing_fields()})
-    all.insert(all.end(), fields.begin(), fields.end());
-  return all;
-}
-
 std::string as_field(const Entry& entry) {
-  std::vector<std::string_view> known;
-  for (const auto fields : {parameter_fields(), result_fields(), timing_fields()})
-    for (const Field& field : fields) known.push_back(field.name);
   std::string name = as_string(entry);
-  if (find_field(name) == nullptr) refuse_value(entry, "is no field of a row" + hint(name, known));
+  if (find_field(name) == nullptr) refuse_value(entry, "is no field of a row" + hint(name, field_names()));
   return name;
 }
 

@@ -82,6 +82,14 @@ class Precision(unittest.TestCase):
         self.assertTrue((self.path / "tiny.png").read_bytes().startswith(b"\x89PNG"))
         self.assertEqual(sorted(p.name for p in self.path.iterdir()), ["tiny.h5", "tiny.png", "tiny.svg", "tiny.toml"])
 
+    def test_ranks_share_the_scenes(self):
+        _, alone, _, _ = self.study("--no-plots", "--tuples", "5", "--repeats", "1")
+        _, shared, attributes, _ = self.study("--no-plots", "--tuples", "5", "--repeats", "1", before=[*MPIEXEC, "-n", "3"])
+        self.assertEqual(attributes["ranks"], 3)
+        for name in alone.dtype.names:
+            if name not in ("run_time", "rank", "ranks_per_core"):
+                self.assertEqual(alone[name].tobytes(), shared[name].tobytes(), name)
+
     def test_refusals(self):
         (self.path / "plain.toml").write_text(SPEC[: SPEC.index("[precision]")])
         for spec, code, word in (("plain.toml", 65, "[precision]"), ("absent.toml", 66, "absent.toml")):

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../../src/solve/fixed_step_chain.hpp"
-#include "../../src/solve/fixed_step_force.hpp"
+#include "../../src/solve/contact_force.hpp"
 #include "../../src/solve/fixed_step_gear5.hpp"
 #include "../../src/solve/fixed_step_rk4.hpp"
 #include "../../src/solve/fixed_step_verlet.hpp"
@@ -17,7 +17,6 @@
 namespace sigmasweep {
 namespace {
 
-using fixed_step::LinearForce;
 using OneContact = Chain<LinearForce, false>;
 
 std::vector<double> times(const std::vector<double>& map, const std::vector<double>& state) {

@@ -66,7 +66,8 @@ struct Job {
 
 /// Hands out the rows of `schedule` (the manager's; unused elsewhere) and returns on all ranks when everything handed
 /// out has come back. When any rank's `stop` says so, no tuple is begun any more: those in flight come back
-/// if they end within half a second, the others and the rest of the chunks are dropped. A rank for which no chunk is short enough gets none any more. With one rank the manager computes, whatever `job` says.
+/// if they end within half a second, the others and the rest of the chunks are dropped. A rank for which no
+/// chunk is short enough gets none any more. With one rank the manager computes, whatever `job` says.
 void distribute(const World& world, Schedule* schedule, const Job& job);
 
 }  // namespace sigmasweep

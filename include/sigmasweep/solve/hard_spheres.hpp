@@ -19,7 +19,8 @@ struct HardSphereOptions {
   /// Times closer than this, relative, are the same time: equal gaps and matched restitutions make exactly simultaneous
   /// collisions, which rounding pulls apart by about 1e-16 a collision of the bead.
   double same_time = 1e-12;
-  /// A pair that collides again in next to no time, and by now is slower than this (units v0), will do so for ever: inelastic collapse.
+  /// A pair that collides again in next to no time, and by now is slower than this (units v0), will do so for ever:
+  /// inelastic collapse.
   double collapsed_speed = 1e-16;
   Patience* patience = nullptr;   ///< asked now and then; Status::time_limit where it is over
 };

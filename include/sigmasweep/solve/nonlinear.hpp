@@ -8,8 +8,8 @@
 #include "sigmasweep/solve/patience.hpp"
 
 /// The default integrator of laws F = K x^(1+beta) + C x^gamma x' that are not linear: from contact event to contact
-/// event with an embedded Runge-Kutta pair of order 8(7), E. Fehlberg, NASA TR R-287 (1968). Where a contact has just
-/// closed, or is about to open, the force is not smooth in time but in s = x^(1/q), and s is the independent variable.
+/// event with the Runge-Kutta scheme DOP853 of order 8 (scene/dormand_prince.hpp). Where a contact has just closed, or
+/// is about to open, the force is not smooth in time but in s = x^(1/q), and s is the independent variable.
 namespace sigmasweep {
 
 struct NonlinearOptions {

@@ -12,6 +12,6 @@ inline constexpr std::uint32_t physics_version = 2;
 /// The collision that `parameters` describe: a pure function, the same bits for the same parameters on one build.
 /// Never throws, never hangs: what cannot be computed is a status, and parameters that why_invalid() refuses are failed.
 /// Where `patience` came to its end it is Status::time_limit, whatever had been found by then.
-Collision simulate(const Parameters& parameters, Patience* patience = nullptr);
+Collision simulate(const Parameters& parameters, Patience* patience = nullptr) noexcept;
 
 }  // namespace sigmasweep

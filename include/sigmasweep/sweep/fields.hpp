@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sigmasweep/sweep/row.hpp"
 
@@ -27,6 +28,10 @@ struct Field {
 std::span<const Field> parameter_fields();
 std::span<const Field> result_fields();
 std::span<const Field> timing_fields();
+
+/// The three lists one after the other; and their names.
+std::vector<Field> all_fields();
+std::vector<std::string_view> field_names();
 
 /// The field of that name, from any of the three lists, or nullptr.
 const Field* find_field(std::string_view name);

@@ -1,0 +1,19 @@
+#include "provenance.hpp"
+
+#include <fmt/chrono.h>
+#include <unistd.h>
+
+#include <chrono>
+
+namespace sigmasweep {
+
+std::string host_name() {
+  char name[256] = "";
+  return gethostname(name, sizeof name - 1) == 0 ? name : "?";
+}
+
+std::string utc_now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
+}
+
+}  // namespace sigmasweep
