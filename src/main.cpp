@@ -51,7 +51,7 @@ void complain(const std::string& message) {
 std::string about_leftover(const CLI::App& app) {
   const auto leftovers = app.remaining(true);
   const auto asked = app.get_subcommands();
-  if (leftovers.empty()) return "a command is needed: run, plan, one, plot, show or export";
+  if (leftovers.empty()) return "a command is needed: run, plan, one, plot, show, export, ...";
   const auto option =
       std::find_if(leftovers.begin(), leftovers.end(), [](const auto& s) { return s.starts_with('-'); });
   const std::string& what = option != leftovers.end() ? *option : leftovers.front();
@@ -93,7 +93,7 @@ int flushed(int code) {
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a failed write, and named
   try {
-    sigmasweep::Invocation invocation{argc, argv, {}};
+    sigmasweep::Invocation invocation{argc, argv, {}, false};
     CLI::App app(description, "sigmasweep");
     app.footer(examples);
     app.set_version_flag("--version", sigmasweep::version_text, "Versions of the program and its libraries");
@@ -104,8 +104,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
       return flushed(explain(app, error));
     }
-    const bool needs_all_ranks = app.got_subcommand("run") || app.got_subcommand("precision");
-    if (!needs_all_ranks && launched_rank() != 0) return 0;
+    if (!invocation.on_all_ranks && launched_rank() != 0) return 0;
     return flushed(invocation.command());
   } catch (const sigmasweep::Error& error) {
     complain(error.what());

@@ -11,10 +11,13 @@ die() {  # exit code, words
   exit "$code"
 }
 
-# Installs what is missing of sweeps/packages; silent and quick when nothing is.
+# Installs what is missing of sweeps/packages; silent and quick when nothing is. Nobody's own machine gets what only the
+# tests want: `install_packages tests`.
 install_packages() {
   local list missing sudo=()
-  list=$(sed 's/#.*//' "$root/sweeps/packages")
+  list=$(cat "$root/sweeps/packages")
+  [ "${1:-}" = tests ] || list=${list%%# tests/run only*}
+  list=$(sed 's/#.*//' <<< "$list")
   command -v dpkg-query > /dev/null && command -v apt-get > /dev/null ||
     die 69 "this system has no apt. Install the equivalents of the packages in sweeps/packages, then:
   cmake --preset release && cmake --build --preset release   (in $root; the program is build/release/sigmasweep)"

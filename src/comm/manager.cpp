@@ -56,8 +56,9 @@ bool Manager::look_at_own_worker(std::chrono::microseconds wait) {
   const auto mail = own_worker_->collect(wait);
   take(message::manager_rank, mail.rows);
   if (mail.farewell) farewell(message::manager_rank);
-  supply(message::manager_rank);
-  return mail.farewell || !mail.rows.empty();
+  const bool news = mail.farewell || !mail.rows.empty();
+  if (news) supply(message::manager_rank);
+  return news;
 }
 
 void Manager::take(int rank, const std::vector<Row>& rows) {
@@ -74,9 +75,13 @@ void Manager::supply(int rank) {
   Worker& worker = worker_[rank];
   while (!worker.dismissed && wants_chunk(worker)) {
     const auto rows = next_piece();
-    if (!rows.empty()) hand_out(rank, rows);
-    else if (worker.rows_out == 0) dismiss(rank);
-    else return;
+    if (!rows.empty()) {
+      hand_out(rank, rows);
+      continue;
+    }
+    // Who has nothing to do stays: its rank may still be asked to stop the others.
+    if (std::ranges::all_of(worker_, [](const Worker& w) { return w.rows_out == 0; })) dismiss_all();
+    return;
   }
 }
 
@@ -118,6 +123,10 @@ void Manager::dismiss(int rank) {
 
 void Manager::stop() {
   stopped_ = true;
+  dismiss_all();
+}
+
+void Manager::dismiss_all() {
   for (int rank = 0; rank < workers_.size(); ++rank)
     if (!worker_[rank].dismissed) dismiss(rank);
 }

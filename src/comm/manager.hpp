@@ -44,6 +44,7 @@ class Manager {
   bool wants_chunk(const Worker& worker) const;
   void hand_out(int rank, std::span<const std::uint64_t> rows);
   void dismiss(int rank);
+  void dismiss_all();
   void stop();
   std::span<const std::uint64_t> next_piece();
 

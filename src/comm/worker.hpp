@@ -23,8 +23,9 @@ class Line {
   virtual void farewell(std::vector<Row> rows) = 0;
 };
 
-/// Computes chunks until the manager says quit; a tuple that does not end within half a second of that is dropped. Rows go
-/// back at the end of each chunk, and of a long one as soon as a tuple ends more than 0.2 s after the last delivery, so that the manager can store them.
+/// Computes chunks until the manager says quit; a tuple that does not end within half a second of that is dropped. Rows
+/// go back at the end of each chunk, and of a long one as soon as a tuple ends more than 0.2 s after the last delivery,
+/// so that the manager can store them.
 void work(Line& line, const Compute& compute);
 
 /// A worker on a rank of its own.

@@ -76,6 +76,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("-o,--output", options->output, "The table; default: the spec's name with .h5, here")
       ->type_name("TABLE.h5");
   command->add_flag("--fresh", options->fresh, "Start again, whatever is there");
+  command->add_flag("--retry", options->retry,
+                    "Compute the rows again that were given up: time_limit, quarantined");
   command->add_flag("-q,--quiet", options->quiet, "Neither progress nor summary");
   add_parsed(*command, "--max-time", "Stop on purpose (exit code 75) to be through by then: seconds or [D-]HH:MM:SS",
              parse_duration, options->max_seconds)
@@ -94,6 +96,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "Rows do not depend on the number of ranks. In a Slurm job the run also stops in time for the end of the job.\n\n"
       "  mpirun -n 4 sigmasweep run fig2a.toml -o fig2a.h5");
   command->callback([&invocation, options] {
+    invocation.on_all_ranks = true;
     invocation.command = [&invocation, options] {
       return run_on_all_ranks(invocation.argc, invocation.argv, *options);
     };
@@ -115,6 +118,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "  sigmasweep run fig2a.toml --slice 1/2 -o part1.h5\n"
       "  sigmasweep merge fig2a.h5 part0.h5 part1.h5");
   command->callback([&invocation, options] {
+    invocation.on_all_ranks = true;  // the others only wait: MPI starts and ends with all
     invocation.command = [&invocation, options] {
       return merge_on_one_rank(invocation.argc, invocation.argv, *options);
     };
@@ -141,8 +145,32 @@ void add_precision(CLI::App& app, Invocation& invocation) {
       "  mpirun -n 2 --bind-to core sigmasweep precision precision.toml\n"
       "  sigmasweep precision precision.toml --tuples 10 --repeats 1");
   command->callback([&invocation, options] {
+    invocation.on_all_ranks = true;
     invocation.command = [&invocation, options] {
       return precision_on_all_ranks(invocation.argc, invocation.argv, *options);
+    };
+  });
+}
+
+void add_stability(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<StabilityOptions>();
+  CLI::App* command = app.add_subcommand("stability", "Find out where the integrators of fixed step are stable");
+  command->add_option("spec", options->run.spec, "A sweep spec with integrators of fixed step and steps_per_tc")
+      ->required()
+      ->type_name("SPEC.toml");
+  command->add_option("-o,--output", options->run.output, "The table; default: the spec's name with .h5, here")
+      ->type_name("TABLE.h5");
+  command->add_flag("--fresh", options->run.fresh, "Start again, whatever is there");
+  command->add_flag("--no-plots{false}", options->plots, "No pictures");
+  command->add_flag("-q,--quiet", options->run.quiet, "Neither progress nor summary");
+  command->footer(
+      "\nRuns the sweep, or goes on with it, as 'run' does, then prints what was seen beside what theory predicts, and\n"
+      "draws both to TABLE.svg and TABLE.png. Rows that came out unstable are no failures here.\n\n"
+      "  mpirun -n 2 sigmasweep stability stability.toml");
+  command->callback([&invocation, options] {
+    invocation.on_all_ranks = true;
+    invocation.command = [&invocation, options] {
+      return stability_on_all_ranks(invocation.argc, invocation.argv, *options);
     };
   });
 }
@@ -194,9 +222,11 @@ void add_plot(CLI::App& app, Invocation& invocation) {
                    "The picture, of several plots the first (others: FILE-name.svg); default: the table's name, here")
       ->type_name("FILE.svg|png|pdf");
   command->add_option("--name", options->name, "Only the plot of this name")->type_name("NAME");
-  command->add_option("--kind", options->kind, "Another plot: error bars against run times")
-      ->check(CLI::IsMember({"precision"}).description(""))
-      ->type_name("precision");
+  command
+      ->add_option("--kind", options->kind,
+                   "Another plot: error bars against run times, or where fixed time steps are stable")
+      ->check(CLI::IsMember({"precision", "stability"}).description(""))
+      ->type_name("precision|stability");
   command->add_option("--x", options->x, "Another field for the x axis, or an expression")->type_name("FIELD");
   command->add_option("--y", options->y, "Another field for the y axis, or an expression")->type_name("FIELD");
   command->add_option("--x-scale", options->x_scale, "Of the x axis")->check(scales)->type_name("linear|log");
@@ -247,6 +277,7 @@ void add_commands(CLI::App& app, Invocation& invocation) {
   add_run(app, invocation);
   add_merge(app, invocation);
   add_precision(app, invocation);
+  add_stability(app, invocation);
   add_plan(app, invocation);
   add_one(app, invocation);
   add_plot(app, invocation);

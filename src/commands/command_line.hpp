@@ -9,6 +9,7 @@ struct Invocation {
   int& argc;
   char**& argv;
   std::function<int()> command;  ///< set when the line is parsed: what was asked for
+  bool on_all_ranks = false;     ///< likewise: whether it is for all ranks of mpirun, or for one
 };
 
 /// The commands with their options and help.

@@ -23,8 +23,8 @@ struct MergeOptions {
   bool quiet = false;
 };
 /// Joins the tables of slices. Throws Error of code 65 where the parts do not fit together or rows are missing.
-int merge(World& world, const MergeOptions& options);
-/// The same, with MPI started for it.
+int merge(const MergeOptions& options);
+/// The same on the manager, with MPI started for it on all ranks.
 int merge_on_one_rank(int& argc, char**& argv, const MergeOptions& options);
 
 struct PrecisionOptions {
@@ -36,6 +36,15 @@ struct PrecisionOptions {
 int precision(World& world, const PrecisionOptions& options);
 /// The same, with MPI started for it.
 int precision_on_all_ranks(int& argc, char**& argv, const PrecisionOptions& options);
+
+struct StabilityOptions {
+  RunOptions run;
+  bool plots = true;
+};
+/// run(), then the map of stable steps, on all ranks; rows that came out unstable are no failures.
+int stability(World& world, const StabilityOptions& options);
+/// The same, with MPI started for it.
+int stability_on_all_ranks(int& argc, char**& argv, const StabilityOptions& options);
 
 struct PlanOptions {
   std::string spec;
@@ -53,7 +62,7 @@ int one(const OneOptions& options);
 struct PlotOptions {
   std::string table, output;
   std::string name;  ///< of the one plot to draw; empty: all
-  std::string kind;  ///< "precision": error against run time; empty: as the spec says
+  std::string kind;  ///< "precision": error against run time; "stability": map of stable steps; empty: as the spec says
   std::string x, y, x_scale, y_scale;  ///< instead of the spec's, where not empty; then one plot is drawn
   std::vector<std::string> series;
   bool quiet = false;  ///< the files' names only, no fits

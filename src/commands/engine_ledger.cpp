@@ -11,7 +11,7 @@
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/scene/random.hpp"
 #include "sigmasweep/solve/simulate.hpp"
-#include "sigmasweep/store/table.hpp"
+#include "sigmasweep/store/build_info.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -48,7 +48,7 @@ Table table_at(const std::string& path) {
 }
 
 bool is_of(const Table& table, const Sweep& sweep, const Slice& slice) {
-  return table.info.spec_hash == sweep.hash() && table.info.slice == slice &&
+  return table.info.spec_hash == sweep.hash() && table.info.spec_text == sweep.text() && table.info.slice == slice &&
          table.rows.size() == slice.size(sweep.size());
 }
 
@@ -59,20 +59,17 @@ Ledger::Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions
 
 Ledger::Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options,
                const std::vector<Source>& others)
-    : slice_(options.slice),
+    : slice_(options.slice), retry_(options.retry),
       journal_(table, identity_of(sweep, slice_), options.fresh,
                options.extend ? [&](const auto& old) { return carry(sweep, old); } : Journal::Carry()),
       rows_(slice_.size(sweep.size())), have_(rows_.size(), false) {
   take_journal(sweep);
-  const bool begun = !journal_.recovered().empty();
-  try {
-    if (!options.fresh && (!begun || options.extend) && std::filesystem::exists(table))
-      take_table(sweep, table, begun, options.extend);
-  } catch (const Error&) {
-    if (!begun) journal_.remove();  // it is empty: leave nothing behind
-    throw;
-  }
+  const bool begun = journal_.is_there(), beside_a_table = !options.fresh && std::filesystem::exists(table);
+  if (beside_a_table && begun && there_ == 0)
+    remarks_.push_back(fmt::format("{} is older than the fresh start that was begun, and will be replaced", table));
+  if (beside_a_table && (!begun || options.extend)) take_table(sweep, table, begun, options.extend);
   for (const Source& other : others) take_over(sweep, other);
+  if (!table_is_complete_) journal_.begin(std::exchange(new_, {}));
   kept_ = there_;
 }
 
@@ -97,7 +94,7 @@ void Ledger::take_journal(const Sweep& sweep) {
                                    dropped, dropped == 1 ? "record" : "records", dropped == 1 ? "is" : "are"));
   for (const Row& row : journal_.recovered()) {
     if (!slice_.place(row.index)) continue;
-    if (content_key(row.parameters) == content_key(sweep.at(row.index))) keep(row);
+    if (content_key(row.parameters) == content_key(sweep.at(row.index))) keep_or_retry(row);
     else attempts_[row.index] = row.timing.attempt;
   }
 }
@@ -106,12 +103,7 @@ void Ledger::take_table(const Sweep& sweep, const std::string& path, bool begun,
   const Table table = table_at(path);
   if (is_of(table, sweep, slice_)) {
     if (begun) return;  // the journal is younger
-    if (table.info.physics_version != physics_version)
-      refuse(path, fmt::format("was computed with physics version {}, this program has {}",
-                               table.info.physics_version, physics_version));
-    for (const Row& row : table.rows) keep(row);
-    table_is_complete_ = true;
-    return;
+    return take_rows(sweep, table, path);
   }
   if (!extend)
     refuse(path, table.info.spec_hash == sweep.hash()
@@ -122,12 +114,29 @@ void Ledger::take_table(const Sweep& sweep, const std::string& path, bool begun,
   take_over(sweep, {path, {}, std::move(found.rows)});
 }
 
+/// The table of this sweep. If rows of it are to be tried again, the others are what the journal begins with.
+void Ledger::take_rows(const Sweep& sweep, const Table& table, const std::string& path) {
+  if (table.info.physics_version != physics_version)
+    refuse(path, fmt::format("was computed with physics version {}, this program has {}", table.info.physics_version,
+                             physics_version));
+  for (const Row& row : table.rows) keep_or_retry(row);
+  table_is_complete_ = is_complete();
+  if (table_is_complete_) return;
+  if (table.info.build != build_name())
+    refuse(path, "was computed by another build of the program, whose last digits may differ");
+  for (std::uint64_t k = 0; k < rows_.size(); ++k) {
+    if (!have_[k]) continue;
+    rows_[k].parameters = sweep.at(rows_[k].index);  // the table has only those that are columns
+    new_.push_back(rows_[k]);
+  }
+}
+
 void Ledger::take_over(const Sweep& sweep, const Source& source) {
   if (!source.why_not.empty())
     remarks_.push_back(fmt::format("nothing taken over: {} {}", source.path, source.why_not));
   for (const Row& row : rows_among(source.rows, sweep, slice_)) {
     if (have_[*slice_.place(row.index)]) continue;
-    journal_.append(row);
+    new_.push_back(row);
     keep(row);
     ++taken_;
   }
@@ -138,6 +147,11 @@ void Ledger::keep(const Row& row) {
   rows_[k] = row;
   if (!have_[k]) ++there_;
   have_[k] = true;
+}
+
+void Ledger::keep_or_retry(const Row& row) {
+  if (!retry_ || is_reproducible(row.collision.status)) keep(row);
+  else attempts_[row.index] = row.timing.attempt;
 }
 
 std::vector<std::uint64_t> Ledger::missing() const {

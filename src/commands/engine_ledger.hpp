@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sigmasweep/store/journal.hpp"
+#include "sigmasweep/store/table.hpp"
 #include "sigmasweep/sweep/row.hpp"
 #include "sigmasweep/sweep/slice.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
@@ -18,6 +19,7 @@ struct LedgerOptions {
   Slice slice{};                   ///< the rows wanted
   bool extend = false;             ///< take over what a table or journal of another spec at the same place has
   std::vector<std::string> reuse;  ///< and other tables
+  bool retry = false;              ///< leave out rows whose status is not reproducible: they are computed again
 };
 
 /// The manager's view of a sweep under way: which rows are there, which are still to do, and the journal where each is
@@ -25,9 +27,10 @@ struct LedgerOptions {
 class Ledger {
  public:
   /// Takes the lock, then looks at what is there already. A table that is complete for this spec gives all its rows;
-  /// a journal gives the rows it has, if their parameters are still the same to the bit. A journal with rows is younger
-  /// than the table beside it (the run removes it last, and --fresh keeps the table until it can replace it). Rows that
-  /// are taken over from elsewhere go to the journal first of all.
+  /// a journal gives the rows it has, if their parameters are still the same to the bit. A journal, even an empty one,
+  /// is younger than the table beside it: a run removes it last, --fresh keeps the table until it can replace it, and
+  /// no other run begins one beside a complete table. Rows that are taken over from elsewhere are what a journal begins
+  /// with.
   /// Throws SpecError (more rows than fit into memory; fewer than slices), InputNotFound, OutputError (locked; a table
   /// or journal of something else, unless `fresh` or, where possible, `extend`), IoError.
   Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options);
@@ -60,14 +63,18 @@ class Ledger {
   std::vector<Row> carry(const Sweep& sweep, const std::vector<Row>& old);
   void take_journal(const Sweep& sweep);
   void take_table(const Sweep& sweep, const std::string& path, bool begun, bool extend);
+  void take_rows(const Sweep& sweep, const Table& table, const std::string& path);
   void take_over(const Sweep& sweep, const Source& source);
   void keep(const Row& row);
+  void keep_or_retry(const Row& row);
 
   Slice slice_;
+  bool retry_;
   std::uint64_t there_ = 0, kept_ = 0, taken_ = 0;
   Journal journal_;  // as it opens it may take over rows already
   std::vector<Row> rows_;
   std::vector<bool> have_;
+  std::vector<Row> new_;  // kept, but in no journal yet
   std::map<std::uint64_t, std::int32_t> attempts_;  // of rows that were tried before and are not kept
   std::vector<std::string> remarks_;
   bool table_is_complete_ = false;

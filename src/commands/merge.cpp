@@ -80,7 +80,7 @@ void require_all(const std::vector<Row>& rows, std::uint64_t slices) {
 
 }  // namespace
 
-int merge(World& world, const MergeOptions& options) {
+int merge(const MergeOptions& options) {
   Table first = read_part(options.parts.front(), nullptr);
   const Sweep sweep = Sweep::parse(first.info.spec_text, options.parts.front());
   Ledger ledger(sweep, options.output, LedgerOptions{.fresh = options.fresh, .reuse = {}});
@@ -103,7 +103,7 @@ int merge(World& world, const MergeOptions& options) {
     }
     require_all(rows, slices);
     info.slice = {};
-    write_table(static_cast<MPI_Comm>(world.native()), options.output, info, sweep.columns(), rows.size(), 0, rows);
+    write_table(MPI_COMM_SELF, options.output, info, sweep.columns(), rows.size(), 0, rows);
   } catch (const Error&) {
     if (ledger.there() == 0) ledger.close();  // a journal of no rows
     throw;

@@ -10,6 +10,7 @@
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/scene/names.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "sigmasweep/sweep/usage.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -74,7 +75,8 @@ int one(const OneOptions& options) {
     const bool follows = row.parameters.K_over_m > 0.0 && (field.name == "K_over_m" || field.name == "D_n");
     if (column || follows || options.given.contains(field.name)) columns.push_back(field);
   }
-  columns.insert(columns.end(), result_fields().begin(), result_fields().end());
+  for (const Field& field : result_fields())
+    if (is_used(field, row.parameters)) columns.push_back(field);
   if (options.json)
     fmt::print("{}\n", json_of(columns, row).dump(2));
   else

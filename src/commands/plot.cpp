@@ -7,6 +7,7 @@
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/plot.hpp"
 #include "sigmasweep/report/precision.hpp"
+#include "sigmasweep/report/stability.hpp"
 #include "sigmasweep/sweep/spelling.hpp"
 #include "stored_sweep.hpp"
 
@@ -43,17 +44,33 @@ std::string with_name(const std::filesystem::path& file, const std::string& name
   return (file.parent_path() / (stem + file.extension().string())).string();
 }
 
+/// The spec's map of stable steps, or a map as it comes.
+PlotSpec stability_plot(const std::vector<PlotSpec>& plots) {
+  if (const auto map = std::ranges::find(plots, PlotKind::stability, &PlotSpec::kind); map != plots.end()) return *map;
+  PlotSpec map;
+  map.kind = PlotKind::stability;
+  return map;
+}
+
+void draw(const StoredSweep& stored, const PlotSpec& spec, const PlotOptions& options, const std::string& file) {
+  const auto& [info, columns, rows] = stored.table;
+  std::vector<SeriesFit> fits;
+  switch (spec.kind) {
+    case PlotKind::points: fits = plot_rows(rows, spec, info.title, file); break;
+    case PlotKind::trajectories: plot_films(stored, spec, options.table, file); break;
+    case PlotKind::stability:
+      if (!stored.sweep) throw UsageError("plot: the table's spec, which names the map's axes, cannot be read any more");
+      plot_stability(rows, spec, stored.sweep->axes(), info.title, file);
+  }
+  fmt::print("{}\n", file);
+  if (spec.fit && !options.quiet) fmt::print("{}", fit_table(fits, *spec.fit));
+}
+
 }  // namespace
 
 int plot(const PlotOptions& options) {
   const StoredSweep stored = read_stored_sweep(options.table);
   const std::vector<PlotSpec> all = stored.sweep ? stored.sweep->plots() : std::vector<PlotSpec>(1);
-  std::vector<PlotSpec> plots = all;
-  if (!options.name.empty()) plots = {plot_named(all, options.name)};
-  if (has_overrides(options)) {
-    plots.resize(1);
-    override(plots[0], options);
-  }
   const std::filesystem::path table(options.table);
   const std::string main_file =
       options.output.empty() ? table.filename().replace_extension(".svg").string() : options.output;
@@ -62,18 +79,19 @@ int plot(const PlotOptions& options) {
     fmt::print("{}\n", main_file);
     return 0;
   }
+  if (options.kind == "stability") {
+    draw(stored, stability_plot(all), options, main_file);
+    return 0;
+  }
+  std::vector<PlotSpec> plots = all;
+  if (!options.name.empty()) plots = {plot_named(all, options.name)};
+  if (has_overrides(options)) {
+    plots.resize(1);
+    override(plots[0], options);
+  }
   for (const PlotSpec& spec : plots) {
-    const bool has_main_file =
-        spec.name == all[0].name || (!options.name.empty() && !options.output.empty());
-    const std::string file = has_main_file ? main_file : with_name(main_file, spec.name);
-    if (spec.kind == PlotKind::trajectories) {
-      plot_films(stored, spec, options.table, file);
-      fmt::print("{}\n", file);
-      continue;
-    }
-    const auto fits = plot_rows(stored.table.rows, spec, stored.table.info.title, file);
-    fmt::print("{}\n", file);
-    if (spec.fit && !options.quiet) fmt::print("{}", fit_table(fits, *spec.fit));
+    const bool has_main_file = spec.name == all[0].name || (!options.name.empty() && !options.output.empty());
+    draw(stored, spec, options, has_main_file ? main_file : with_name(main_file, spec.name));
   }
   return 0;
 }

@@ -101,7 +101,8 @@ int Run::begin() {
   const int code = on_manager(world_, [this] {
     sweep_ = Sweep::load(options_.spec);
     if (!options_.fresh) require_own_trajectories(*sweep_, table_);
-    ledger_.emplace(*sweep_, table_, LedgerOptions{options_.fresh, options_.slice, options_.extend, options_.reuse});
+    ledger_.emplace(*sweep_, table_, LedgerOptions{options_.fresh, options_.slice, options_.extend, options_.reuse,
+                                                  options_.retry});
     if (options_.fresh) remove_trajectories(*sweep_, table_);
     for (const std::string& remark : ledger_->remarks()) say(fmt::format("sigmasweep: {}\n", remark));
     if (ledger_->table_is_complete())
@@ -147,8 +148,9 @@ int Run::keep_notes() {
   constexpr std::uint64_t too_often = 2;
   InFlightIdentity identity{sweep_->hash(), sweep_->size(), std::random_device{}()};
   identity.run = static_cast<std::uint64_t>(world_.broadcast(static_cast<std::int64_t>(identity.run)));
+  const bool forget = options_.fresh || options_.retry;
   const int code = on_manager(world_, [&] {
-    for (const auto& [row, deaths] : begin_in_flight(table_, identity, world_.size(), options_.fresh)) {
+    for (const auto& [row, deaths] : begin_in_flight(table_, identity, world_.size(), forget)) {
       if (deaths < too_often || ledger_->has(row)) continue;
       ledger_->quarantine({row, sweep_->at(row)});
       say(fmt::format("sigmasweep: row {} is left out, {} processes died while they computed it\n", row, deaths));

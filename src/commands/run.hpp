@@ -18,6 +18,7 @@ struct RunOptions {
   Slice slice;                        ///< compute these rows only
   bool extend = false;                ///< take over the rows of the table of another spec that is to be replaced
   std::vector<std::string> reuse;     ///< tables whose rows are taken over
+  bool retry = false;                 ///< compute rows again whose status is not reproducible
 };
 
 /// The spec's name with .h5 for .toml, in the current directory.

@@ -1,8 +1,13 @@
-#include <exception>
 #include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <thread>
 
 #include "commands.hpp"
 #include "exit_codes.hpp"
+#include "on_manager.hpp"
 #include "sigmasweep/comm/world.hpp"
 #include "sigmasweep/errors.hpp"
 
@@ -15,6 +20,15 @@ namespace {
   world.abort(exit_code);
 }
 
+/// MPI waits for all ranks at its end. What the manager met alone, unknown to the others, must not make it wait for
+/// ever.
+void end_soon(int exit_code) {
+  std::thread([exit_code] {
+    std::this_thread::sleep_for(std::chrono::seconds(30));
+    std::_Exit(exit_code);
+  }).detach();
+}
+
 template <class Command>
 int on_all_ranks(int& argc, char**& argv, Command command) {
   World world(argc, argv);
@@ -25,6 +39,7 @@ int on_all_ranks(int& argc, char**& argv, Command command) {
     // The other ranks know, and leave with the same code. Say it before MPI ends: once the first of them is gone,
     // mpirun may end this rank too.
     fmt::print(stderr, "sigmasweep: {}\n", error.what());
+    end_soon(error.exit_code());
     return error.exit_code();
   } catch (const std::exception& error) {
     abort_all(world, exit_code::internal_error, error.what());
@@ -41,9 +56,12 @@ int precision_on_all_ranks(int& argc, char**& argv, const PrecisionOptions& opti
   return on_all_ranks(argc, argv, [&](World& world) { return precision(world, options); });
 }
 
+int stability_on_all_ranks(int& argc, char**& argv, const StabilityOptions& options) {
+  return on_all_ranks(argc, argv, [&](World& world) { return stability(world, options); });
+}
+
 int merge_on_one_rank(int& argc, char**& argv, const MergeOptions& options) {
-  World world(argc, argv);
-  return merge(world, options);
+  return on_all_ranks(argc, argv, [&](World& world) { return on_manager(world, [&] { return merge(options); }); });
 }
 
 }  // namespace sigmasweep

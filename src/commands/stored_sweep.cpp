@@ -17,6 +17,8 @@ StoredSweep read_stored_sweep(const std::string& path) {
   } catch (const SpecError&) {  // of another version: the table itself is still good
     return stored;
   }
+  if (stored.sweep->hash() != stored.table.info.spec_hash)
+    throw IoError(fmt::format("{}: its spec is not the one that it was made from", path));
   auto& rows = stored.table.rows;
   if (stored.table.info.slice.size(stored.sweep->size()) != rows.size())
     throw IoError(fmt::format("{}: its rows are not those of its spec", path));

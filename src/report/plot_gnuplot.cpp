@@ -93,6 +93,21 @@ std::string complaint(std::FILE* err) {
 
 }  // namespace
 
+std::string panels_terminal(Form form, double width, double height) {
+  constexpr double png = 1.6, centimetre = 50.0;
+  switch (form) {
+    case Form::svg:
+      return fmt::format("svg size {:.0f},{:.0f} enhanced background '#ffffff' font 'DejaVu Sans,12'", width, height);
+    case Form::png:
+      return fmt::format("pngcairo size {:.0f},{:.0f} enhanced fontscale 1.45 linewidth 1.5 font 'DejaVu Sans,10'",
+                         png * width, png * height);
+    case Form::pdf:
+      return fmt::format("pdfcairo size {:.1f}cm,{:.1f}cm enhanced font 'DejaVu Sans,9'", width / centimetre,
+                         height / centimetre);
+  }
+  return {};
+}
+
 std::string quoted(std::string_view text) {
   std::string out = "'";
   for (const char c : text) {

@@ -20,6 +20,9 @@ std::string gnuplot_script(const Figure& figure, Form form);
 /// Throws OutputError.
 void run_gnuplot(const std::string& script, const std::string& path);
 
+/// The terminal of a picture of several panels, its size in pixels of an SVG.
+std::string panels_terminal(Form form, double width, double height);
+
 /// Text as a string of gnuplot's language.
 std::string quoted(std::string_view text);
 

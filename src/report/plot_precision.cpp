@@ -122,20 +122,6 @@ class Picture {
   Range errors_, times_;
 };
 
-std::string terminal(Form form, double x, double y) {
-  switch (form) {
-    case Form::svg:
-      return fmt::format("svg size {:.0f},{:.0f} enhanced background '#ffffff' font 'DejaVu Sans,12'", 100 + 340 * x,
-                         90 + 300 * y);
-    case Form::png:
-      return fmt::format("pngcairo size {:.0f},{:.0f} enhanced fontscale 1.4 linewidth 1.5 font 'DejaVu Sans,10'",
-                         150 + 520 * x, 120 + 460 * y);
-    case Form::pdf:
-      return fmt::format("pdfcairo size {:.1f}cm,{:.1f}cm enhanced font 'DejaVu Sans,9'", 2 + 7 * x, 1.5 + 6 * y);
-  }
-  return {};
-}
-
 void draw(std::span<const Panel> panels, const std::string& title, const std::string& path) {
   const Form form = form_of(path);
   std::size_t columns = 1;
@@ -143,8 +129,9 @@ void draw(std::span<const Panel> panels, const std::string& title, const std::st
   const std::size_t lines = (panels.size() + columns - 1) / columns;
   const Picture picture(panels);
   const bool single = panels.size() == 1;
-  const auto size = single ? std::pair(2.0, 1.5) : std::pair(double(columns), double(lines));
-  std::string script = fmt::format("set encoding utf8\nset terminal {}\n", terminal(form, size.first, size.second));
+  const double x = single ? 2.0 : double(columns), y = single ? 1.5 : double(lines);
+  std::string script =
+      fmt::format("set encoding utf8\nset terminal {}\n", panels_terminal(form, 100.0 + 340.0 * x, 90.0 + 300.0 * y));
   script += fmt::format("set multiplot layout {},{} rowsfirst title {} noenhanced\n", lines, columns, quoted(title));
   script += "set border 3 linecolor '#404040'\nset tics nomirror out\nset key right top samplen 1.5 reverse Left\n"
             "set grid linetype 1 linecolor '#E4E4E4' linewidth 0.6\n" +

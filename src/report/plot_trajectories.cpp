@@ -108,21 +108,6 @@ std::string panel_script(const Panel& panel, std::size_t number, std::span<const
   return out + plots + "\nunset label\n";
 }
 
-std::string terminal(Form form, std::size_t columns, std::size_t lines) {
-  const double x = static_cast<double>(columns), y = static_cast<double>(lines);
-  switch (form) {
-    case Form::svg:
-      return fmt::format("svg size {:.0f},{:.0f} enhanced background '#ffffff' font 'DejaVu Sans,12'", 330 * x,
-                         60 + 280 * y);
-    case Form::png:
-      return fmt::format("pngcairo size {:.0f},{:.0f} enhanced fontscale 1.5 linewidth 1.6 font 'DejaVu Sans,11'",
-                         560 * x, 100 + 475 * y);
-    case Form::pdf:
-      return fmt::format("pdfcairo size {:.1f}cm,{:.1f}cm enhanced font 'DejaVu Sans,9'", 6.5 * x, 1.2 + 5.5 * y);
-  }
-  return {};
-}
-
 }  // namespace
 
 void require_room_for(std::size_t panels) {
@@ -138,7 +123,7 @@ void plot_trajectories(std::span<const Panel> panels, std::size_t columns, std::
   const Form form = form_of(path);
   columns = std::clamp<std::size_t>(columns, 1, std::min<std::size_t>(panels.size(), 6));
   const std::size_t lines = (panels.size() + columns - 1) / columns;
-  std::string script = fmt::format("set encoding utf8\nset terminal {}\n", terminal(form, columns, lines));
+  std::string script = fmt::format("set encoding utf8\nset terminal {}\n", panels_terminal(form, 330.0 * double(columns), 60.0 + 280.0 * double(lines)));
   script += fmt::format("set multiplot layout {},{} rowsfirst title {} noenhanced\n", lines, columns, quoted(title));
   script +=
       "unset key\nset rmargin 4\nset border 3 linecolor '#404040'\nset tics nomirror out\n"

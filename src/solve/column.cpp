@@ -1,6 +1,8 @@
 #include "sigmasweep/solve/column.hpp"
 
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "sigmasweep/scene/calibration.hpp"
 #include "sigmasweep/scene/law.hpp"
@@ -39,11 +41,21 @@ std::vector<Real> gaps(const Parameters& p, const Real& gap) {
   return gaps;
 }
 
+/// damping() takes milliseconds, and a sweep has few laws and restitutions, each many times over.
+double known_damping(Exponents e, double k, double eps) {
+  constexpr std::size_t most = 256;
+  thread_local std::map<std::array<double, 3>, double> known;
+  const std::array<double, 3> key{e.beta, e.gamma, eps};  // k follows from beta
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  if (known.size() >= most) known.clear();
+  return known[key] = damping(e, k, 1.0, eps);
+}
+
 /// The pair's law per reduced mass, with length v0 tc and time tc as units; from (tc, epsilon) or from D_n.
 PairLaw reduced_pair(const Parameters& p, Exponents e) {
   const double k = theory::stiffness(e, 1.0, 1.0);
   const double b =
-      p.K_over_m > 0.0 ? 2.0 * p.D_n * p.tc * std::pow(p.v0 * p.tc, e.gamma) : damping(e, k, 1.0, p.epsilon);
+      p.K_over_m > 0.0 ? 2.0 * p.D_n * p.tc * std::pow(p.v0 * p.tc, e.gamma) : known_damping(e, k, p.epsilon);
   return {e, k, b};
 }
 

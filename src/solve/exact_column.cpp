@@ -4,8 +4,8 @@
 
 namespace sigmasweep {
 
-template <class Real, int Disturbances, bool Uneven>
-ExactColumn<Real, Disturbances, Uneven>::ExactColumn(const Column<Real>& column, const ExactOptions& options)
+template <class Real, int Disturbances, bool Uneven, int Order>
+ExactColumn<Real, Disturbances, Uneven, Order>::ExactColumn(const Column<Real>& column, const ExactOptions& options)
     : column_(column),
       options_(options),
       N_(std::size_t(column.N)),
@@ -29,8 +29,8 @@ ExactColumn<Real, Disturbances, Uneven>::ExactColumn(const Column<Real>& column,
   disturb_gaps();
 }
 
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::start_from(std::span<const Real> rates) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::start_from(std::span<const Real> rates) {
   closed_.assign(N_, 0);
   closed_count_ = 0;
   x_[0] = -column_.initial_gap(0);
@@ -38,8 +38,8 @@ void ExactColumn<Real, Disturbances, Uneven>::start_from(std::span<const Real> r
 }
 
 /// The gaps are rounded numbers too: all of them the same way, as sigma is, or each for itself.
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::disturb_gaps() {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::disturb_gaps() {
   const auto& gaps = column_.gaps;
   const Real widest = gaps.empty() ? column_.gap : *std::max_element(gaps.begin(), gaps.end());
   for (int m = 1; m < motions; ++m) {
@@ -54,9 +54,9 @@ void ExactColumn<Real, Disturbances, Uneven>::disturb_gaps() {
 /// The clock starts at the first contact with the wall, after a flight of gap/speed in which nothing else happens.
 /// Beads that touch from the wall on are closed contacts. Others that touch are open ones with x = 0 and u = 0, and
 /// close as soon as something pushes.
-template <class Real, int Disturbances, bool Uneven>
+template <class Real, int Disturbances, bool Uneven, int Order>
 template <class Watcher>
-Outcome<Real> ExactColumn<Real, Disturbances, Uneven>::run(Watcher& watcher) {
+Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order>::run(Watcher& watcher) {
   Outcome<Real> outcome;
   regroup({0, N_ - 1}, Real(0));
 
@@ -96,14 +96,14 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven>::run(Watcher& watcher) {
   return outcome;
 }
 
-template <class Real, int Disturbances, bool Uneven>
-Outcome<Real> ExactColumn<Real, Disturbances, Uneven>::run() {
+template <class Real, int Disturbances, bool Uneven, int Order>
+Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order>::run() {
   Nobody nobody;
   return run(nobody);
 }
 
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::close_gap(std::size_t k, const Real& t) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::close_gap(std::size_t k, const Real& t) {
   Range range = release(k, t);
   if (k > 0) range.lo = release(k - 1, t).lo;
   if (k + 1 < N_) range.hi = release(k + 1, t).hi;
@@ -111,8 +111,8 @@ void ExactColumn<Real, Disturbances, Uneven>::close_gap(std::size_t k, const Rea
   regroup(range, t);
 }
 
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::finish_step(int id) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::finish_step(int id) {
   Group& group = *groups_[std::size_t(id)];
   const Real t = group.start + group.length;
   move_group(group, group.length, true);
@@ -129,8 +129,8 @@ void ExactColumn<Real, Disturbances, Uneven>::finish_step(int id) {
 
 /// An open contact closes or a closed one opens, at overlap exactly 0. A disturbed column does so earlier or later by
 /// -dx_k/u_k, and for so long feels, or lacks, the force C u_k: its rates jump by what that does.
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::change_contact(std::size_t k, const Real& t) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::change_contact(std::size_t k, const Real& t) {
   for (int m = 1; m < motions; ++m) {
     auto& u = motion_[m].u;
     const Real handed_on = laws_.dashpot(k) * motion_[m].x[k];
@@ -151,8 +151,8 @@ void ExactColumn<Real, Disturbances, Uneven>::change_contact(std::size_t k, cons
 }
 
 /// Brings contact k up to time t and out of its group, if it is in one. Returns what has been released with it.
-template <class Real, int Disturbances, bool Uneven>
-auto ExactColumn<Real, Disturbances, Uneven>::release(std::size_t k, const Real& t) -> Range {
+template <class Real, int Disturbances, bool Uneven, int Order>
+auto ExactColumn<Real, Disturbances, Uneven, Order>::release(std::size_t k, const Real& t) -> Range {
   if (const int id = group_of_[k]; id != none) {
     const Range range{groups_[std::size_t(id)]->lo, groups_[std::size_t(id)]->hi};
     dissolve(id, t);
@@ -161,24 +161,24 @@ auto ExactColumn<Real, Disturbances, Uneven>::release(std::size_t k, const Real&
   const Real elapsed = t - at_[k];
   if (elapsed != Real(0)) {
     for (Motion& motion : motion_) motion.x[k] += motion.u[k] * elapsed;
-    for (int m = 1; m < motions; ++m)  // the clock's own rounding
-      motion_[m].x[k] += Real(noise_.next()) * std::numeric_limits<Real>::epsilon() * u_[k] * t;
+    for (int m = 1; m < motions; ++m)  // the clock's own rounding: few, in wide gaps, so none may be small by chance
+      motion_[m].x[k] += Real(noise_.sign()) * std::numeric_limits<Real>::epsilon() * u_[k] * t;
     at_[k] = t;
   }
   return {k, k};
 }
 
 /// x and u of the group's contacts at `elapsed` after the start of its step.
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::move_group(Group& group, const Real& elapsed, bool whole_step) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::move_group(Group& group, const Real& elapsed, bool whole_step) {
   if (group.binary)
     move_binary(group, elapsed, whole_step);
   else
     move_taylor(group, elapsed, whole_step);
 }
 
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::move_taylor(Group& group, const Real& elapsed, bool whole_step) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::move_taylor(Group& group, const Real& elapsed, bool whole_step) {
   const std::size_t n = group.hi - group.lo + 1;
   const Real s = whole_step ? group.scaled : Real(elapsed / group.longest);
   for (int m = 0; m < motions; ++m)
@@ -190,8 +190,8 @@ void ExactColumn<Real, Disturbances, Uneven>::move_taylor(Group& group, const Re
     if (closed_[group.lo + i]) x_max_ = group.taylor.deepest(i, s, x_max_);
 }
 
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::move_binary(Group& group, const Real& elapsed, bool whole_step) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::move_binary(Group& group, const Real& elapsed, bool whole_step) {
   const std::size_t k = group.contact;
   const auto& contact = laws_.binary(k);
   const State entry = state(k);
@@ -213,9 +213,9 @@ void ExactColumn<Real, Disturbances, Uneven>::move_binary(Group& group, const Re
 }
 
 /// A rounding error of the state of contact i, whose parts are of the given magnitude.
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::disturb(std::size_t i, const State& magnitude) {
-  const Real rounding = std::numeric_limits<Real>::epsilon();
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::disturb(std::size_t i, const State& magnitude) {
+  const Real rounding = local_error();
   for (int m = 1; m < motions; ++m) {
     motion_[m].x[i] += Real(noise_.next()) * rounding * magnitude.x;
     motion_[m].u[i] += Real(noise_.next()) * rounding * magnitude.u;
@@ -223,8 +223,8 @@ void ExactColumn<Real, Disturbances, Uneven>::disturb(std::size_t i, const State
 }
 
 /// Ends a group; if its step is not over yet, at a time t within it.
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::dissolve(int id, const Real& t) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::dissolve(int id, const Real& t) {
   Group& group = *groups_[std::size_t(id)];
   if (group.start != t) move_group(group, std::min(std::max(Real(t - group.start), Real(0)), group.length), false);
   for (std::size_t k = group.lo; k <= group.hi; ++k) {
@@ -237,8 +237,8 @@ void ExactColumn<Real, Disturbances, Uneven>::dissolve(int id, const Real& t) {
 
 /// Sorts the contacts of `range`, all of them free of groups and at time t, into groups and free gaps, taking in
 /// neighbours that a closed contact at the border touches.
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::regroup(Range range, const Real& t) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::regroup(Range range, const Real& t) {
   while (closed_[range.lo] && range.lo > 0) range.lo = release(range.lo - 1, t).lo;
   while (closed_[range.hi] && range.hi + 1 < N_) range.hi = release(range.hi + 1, t).hi;
   for (std::size_t k = range.lo; k <= range.hi; ++k) {
@@ -253,8 +253,8 @@ void ExactColumn<Real, Disturbances, Uneven>::regroup(Range range, const Real& t
   }
 }
 
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::make_group(Range range, const Real& t) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::make_group(Range range, const Real& t) {
   if (idle_.empty()) {
     idle_.push_back(int(groups_.size()));
     groups_.push_back(std::make_unique<Group>());
@@ -273,8 +273,8 @@ void ExactColumn<Real, Disturbances, Uneven>::make_group(Range range, const Real
   begin_step(id);
 }
 
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::begin_step(int id) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::begin_step(int id) {
   Group& group = *groups_[std::size_t(id)];
   for (std::size_t k = group.lo; k <= group.hi; ++k) {
     // Rounding may leave a contact on the wrong side of 0.
@@ -287,8 +287,8 @@ void ExactColumn<Real, Disturbances, Uneven>::begin_step(int id) {
 
 /// A lone closed contact that nothing can disturb before it opens is followed to its end in one closed formula. As
 /// x >= 0, each neighbouring gap stays below x_gap + u_gap t + push_bound(t), which is linear in t.
-template <class Real, int Disturbances, bool Uneven>
-bool ExactColumn<Real, Disturbances, Uneven>::begin_binary(Group& group) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+bool ExactColumn<Real, Disturbances, Uneven, Order>::begin_binary(Group& group) {
   if (group.hi - group.lo > 2) return false;
   std::size_t k = group.lo;
   while (!closed_[k]) ++k;
@@ -311,8 +311,8 @@ bool ExactColumn<Real, Disturbances, Uneven>::begin_binary(Group& group) {
   return true;
 }
 
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::begin_taylor(Group& group) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::begin_taylor(Group& group) {
   const std::size_t n = group.hi - group.lo + 1;
   auto& taylor = group.taylor;
   if (!group.prepared) {
@@ -339,8 +339,8 @@ void ExactColumn<Real, Disturbances, Uneven>::begin_taylor(Group& group) {
   if (crossing) group.contact = group.lo + crossing->contact;
 }
 
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::schedule_gap(std::size_t k) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::schedule_gap(std::size_t k) {
   if (u_[k] > 0)
     events_.set(k, at_[k] + std::max(Real(-x_[k]), Real(0)) / u_[k]);
   else
@@ -348,8 +348,8 @@ void ExactColumn<Real, Disturbances, Uneven>::schedule_gap(std::size_t k) {
 }
 
 /// Looked at now and then: after some contacts, or after many steps in which overdamped contacts creep.
-template <class Real, int Disturbances, bool Uneven>
-bool ExactColumn<Real, Disturbances, Uneven>::settled(std::uint64_t step) {
+template <class Real, int Disturbances, bool Uneven, int Order>
+bool ExactColumn<Real, Disturbances, Uneven, Order>::settled(std::uint64_t step) {
   if (contacts_ < checked_at_ + std::max<std::size_t>(5, N_ / 8) && step < checked_step_ + 1000) return false;
   checked_at_ = contacts_;
   checked_step_ = step;
@@ -358,8 +358,8 @@ bool ExactColumn<Real, Disturbances, Uneven>::settled(std::uint64_t step) {
   return now.remaining < Real(options_.settle);
 }
 
-template <class Real, int Disturbances, bool Uneven>
-auto ExactColumn<Real, Disturbances, Uneven>::balance() const -> Balance {
+template <class Real, int Disturbances, bool Uneven, int Order>
+auto ExactColumn<Real, Disturbances, Uneven, Order>::balance() const -> Balance {
   const EnergyBalance<Real> energy(column_, closed_, x_, velocities(0));
   Balance now{Real(0), energy.remaining()};
   for (int m = 1; m < motions; ++m)
@@ -369,8 +369,8 @@ auto ExactColumn<Real, Disturbances, Uneven>::balance() const -> Balance {
 
 /// At any moment sqrt(E/E_0) is off by its disturbance, and from there both the true and the computed one fall by no
 /// more than what remains: small disturbances late in a collision may grow large, but have little left to act on.
-template <class Real, int Disturbances, bool Uneven>
-Real ExactColumn<Real, Disturbances, Uneven>::error(double safety) const {
+template <class Real, int Disturbances, bool Uneven, int Order>
+Real ExactColumn<Real, Disturbances, Uneven, Order>::error(double safety) const {
   const Balance end = balance();
   Real least = Real(safety) * end.disturbance + end.remaining;
   for (const Balance& b : balances_) least = std::min(least, Real(Real(safety) * b.disturbance + b.remaining));
@@ -378,8 +378,8 @@ Real ExactColumn<Real, Disturbances, Uneven>::error(double safety) const {
 }
 
 /// v_i from the rates: u_0 = -v_1 at the wall, u_k = v_{k-1} - v_k between beads.
-template <class Real, int Disturbances, bool Uneven>
-std::vector<Real> ExactColumn<Real, Disturbances, Uneven>::velocities(int motion) const {
+template <class Real, int Disturbances, bool Uneven, int Order>
+std::vector<Real> ExactColumn<Real, Disturbances, Uneven, Order>::velocities(int motion) const {
   std::vector<Real> v(N_);
   Real sum = 0;
   for (std::size_t k = 0; k < N_; ++k) v[k] = sum -= motion_[std::size_t(motion)].u[k];
@@ -395,6 +395,8 @@ SIGMASWEEP_INSTANTIATE(double)
 SIGMASWEEP_INSTANTIATE(long double)
 SIGMASWEEP_INSTANTIATE(Quad)
 #undef SIGMASWEEP_INSTANTIATE
+template class ExactColumn<double, 1, false, low_order>;
+template class ExactColumn<double, 1, true, low_order>;
 template Outcome<double> ExactColumn<double, 0, false>::run(Samples&);
 template Outcome<double> ExactColumn<double, 0, true>::run(Samples&);
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -27,8 +28,10 @@ namespace sigmasweep {
 /// step by step and carried along by the same linear maps and by the jumps at the events. They measure how much of the
 /// rounding error survives to the end.
 ///
+/// Order: of the Taylor series. Where it is low what they leave out takes the place of rounding.
+///
 /// Uneven: the beads have masses of their own (column.mass). Gaps that differ need no such feature.
-template <class Real, int Disturbances, bool Uneven>
+template <class Real, int Disturbances, bool Uneven, int Order = TaylorOrder<Real>::value>
 class ExactColumn {
  public:
   ExactColumn(const Column<Real>& column, const ExactOptions& options);
@@ -42,6 +45,8 @@ class ExactColumn {
   Real error(double safety) const;
   /// After run(): the largest change of eps_eff by a disturbance.
   Real disturbance() const { return balance().disturbance; }
+  /// What a step adds to the error, relative to the state.
+  static Real local_error() { return std::max(std::numeric_limits<Real>::epsilon(), Taylor::left_out()); }
   /// Contacts propagated, summed over all Taylor steps: what a run in a wider type would cost.
   std::uint64_t work() const { return work_; }
 
@@ -49,7 +54,7 @@ class ExactColumn {
   static constexpr int none = -1;
   static constexpr int motions = 1 + Disturbances;
   using State = ContactState<Real>;
-  using Taylor = TaylorGroup<Real, motions, Uneven>;
+  using Taylor = TaylorGroup<Real, motions, Uneven, Order>;
 
   /// Overlaps and rates of all contacts: [0] the column's own, then the disturbances'.
   struct Motion {

@@ -5,8 +5,8 @@
 namespace sigmasweep {
 
 /// Overlaps and rates of all contacts at a time between the last event and the next; changes nothing.
-template <class Real, int Disturbances, bool Uneven>
-void ExactColumn<Real, Disturbances, Uneven>::state_at(const Real& t, std::span<Real> x, std::span<Real> u) const {
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::state_at(const Real& t, std::span<Real> x, std::span<Real> u) const {
   for (std::size_t k = 0; k < N_; ++k) {
     if (group_of_[k] == none) {
       x[k] = x_[k] + u_[k] * (t - at_[k]);

@@ -47,13 +47,12 @@ bool is_hopeless(const Parameters& p, Column<double> column) {
 
 Collision with_given_steps(const Parameters& p, Patience* patience) {
   const Column<double> column = reduced_column<double>(p);
-  if (is_hopeless(p, column)) {
-    Collision nothing;
-    nothing.status = Status::unstable;
-    return nothing;
-  }
-  const Collision c = stepped(p, column, 0.0, patience);
-  return is_success(c.status) ? compared(c, exact_of(p, patience)) : c;
+  Collision c;
+  c.status = Status::unstable;
+  if (!is_hopeless(p, column)) c = stepped(p, column, 0.0, patience);
+  if (is_success(c.status)) c = compared(c, exact_of(p, patience));
+  c.predicted_growth = predicted_growth(column, p.integrator, 1.0 / p.steps_per_tc);
+  return c;
 }
 
 struct Choice {
@@ -71,20 +70,24 @@ Choice with_chosen_steps(Parameters p, Patience* patience) {
   while (p.steps_per_tc < most_steps && !is_stable(column, p.integrator, 1.0 / p.steps_per_tc))
     p.steps_per_tc *= 1.25;
 
+  const auto with_growth = [&](Choice choice) {
+    choice.collision.predicted_growth = predicted_growth(column, p.integrator, 1.0 / choice.steps_per_tc);
+    return choice;
+  };
   Choice best;
   best.collision.status = Status::unstable;
   for (double factor = 1.0; p.steps_per_tc <= most_steps; p.steps_per_tc *= factor) {
     const Collision c = compared(stepped(p, column, most_work / static_cast<double>(p.N), patience), exact);
     const bool is_better = is_success(c.status) && !(c.eps_eff_error >= best.collision.eps_eff_error);
     if (is_better || !is_success(best.collision.status)) best = {c, p.steps_per_tc};
-    if (best.collision.eps_eff_error <= tolerance) return best;
+    if (best.collision.eps_eff_error <= tolerance) return with_growth(best);
     const bool goes_on = is_success(c.status) || c.status == Status::unstable;
     if (!goes_on || !(exact.eps_eff_error < tolerance)) break;
     factor = is_success(c.status) ? std::clamp(margin * c.eps_eff_error / tolerance, least_factor, most_factor)
                                   : least_factor;
   }
   if (is_success(best.collision.status)) best.collision.status = Status::tolerance_missed;
-  return best;
+  return with_growth(best);
 }
 
 }  // namespace

@@ -74,7 +74,6 @@ double spectral_radius(const Map& map) {
   return static_cast<double>(Eigen::EigenSolver<Map>(map, false).eigenvalues().cwiseAbs().maxCoeff());
 }
 
-constexpr double most_growth = 1.05;
 constexpr double rounding = 1e-9;  // of the spectral radius
 
 /// Of the matrix A diag(K), a row's sum of magnitudes.
@@ -130,9 +129,9 @@ double predicted_growth(const Parameters& p) {
 }
 
 bool is_stable(const Column<double>& column, Integrator integrator, double dt) {
-  return predicted_growth(column, integrator, dt) <= most_growth;
+  return predicted_growth(column, integrator, dt) <= most_stable_growth;
 }
 
-bool is_stable(const Parameters& p) { return predicted_growth(p) <= most_growth; }
+bool is_stable(const Parameters& p) { return predicted_growth(p) <= most_stable_growth; }
 
 }  // namespace sigmasweep

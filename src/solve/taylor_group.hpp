@@ -21,6 +21,8 @@ template <class Real> struct TaylorOrder { static constexpr int value = 40; };  
 template <> struct TaylorOrder<double> { static constexpr int value = 24; };             // 2e-18
 template <> struct TaylorOrder<long double> { static constexpr int value = 28; };        // 6e-23
 inline constexpr double taylor_reach = 2.0;
+/// For loose tolerances: 3e-8.
+inline constexpr int low_order = 14;
 
 /// How the forces F of neighbouring contacts drive one another, in blocks of contacts. Beads of equal mass 1:
 ///     x_k'' = F_{k-1} - w_k F_k + F_{k+1},   w_k = 2 (1 for the wall contact, whose wall does not move).
@@ -43,10 +45,10 @@ struct Coupling<Block, true> {
 /// k is closed and 0 where it is open, and coupled as above, they are a linear system with constant coefficients: its
 /// Taylor series about the step's start is exact to rounding.
 /// Several motions (Motions: the column's own and linearised disturbances of it) go through the same maps side by side.
-template <class Real, int Motions, bool Uneven = false>
+template <class Real, int Motions, bool Uneven = false, int Order = TaylorOrder<Real>::value>
 class TaylorGroup {
  public:
-  static constexpr int order = TaylorOrder<Real>::value;
+  static constexpr int order = Order;
 
   /// `contacts` to propagate; room for them is kept between uses.
   void resize(std::size_t contacts) {
@@ -188,6 +190,13 @@ class TaylorGroup {
   }
 
   const Real& step() const { return h_; }
+
+  /// The first term that the series leave out, of the largest: reach^(order+1)/(order+1)!.
+  static Real left_out() {
+    Real term = 1;
+    for (int n = 1; n <= order + 1; ++n) term *= Real(taylor_reach) / Real(n);
+    return term;
+  }
 
  private:
   using Block = Lanes<Real>;  ///< eight neighbouring contacts

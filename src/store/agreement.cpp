@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
+#include <cstdio>
+#include <thread>
 
 namespace sigmasweep {
 
@@ -50,9 +53,29 @@ std::string Team::broadcast_from(int root, std::string text) const {
   return text;
 }
 
+/// Until all ranks have come. A rank that failed does not wait for ever: if it left a collective call early, the others
+/// are still in there. To unwind would not help, as closing a file that is open together waits for them too; so here,
+/// and nowhere else in the library, the error is printed and all ranks are ended.
+void Team::wait_for_all(MPI_Request request, int exit_code, const std::string& message) const {
+  if (exit_code == 0) return check_mpi(MPI_Wait(&request, MPI_STATUS_IGNORE), "cannot agree");
+  constexpr auto patience = std::chrono::seconds(30);
+  const auto end = std::chrono::steady_clock::now() + patience;
+  for (int done = 0;;) {
+    check_mpi(MPI_Test(&request, &done, MPI_STATUS_IGNORE), "cannot agree");
+    if (done) return;
+    if (std::chrono::steady_clock::now() > end) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  std::fputs(fmt::format("sigmasweep: rank {}: {} (and the other ranks do not answer: all are ended)\n", rank_, message)
+                 .c_str(), stderr);
+  MPI_Abort(comm_, exit_code);
+}
+
 void Team::agree(int exit_code, std::string message) const {
   int failed = exit_code == 0 ? size_ : rank_;
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm_), "cannot agree");
+  MPI_Request request = MPI_REQUEST_NULL;
+  check_mpi(MPI_Iallreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm_, &request), "cannot agree");
+  wait_for_all(request, exit_code, message);
   if (failed == size_) return;
   check_mpi(MPI_Bcast(&exit_code, 1, MPI_INT, failed, comm_), "cannot agree");
   message = broadcast_from(failed, std::move(message));

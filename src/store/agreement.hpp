@@ -27,7 +27,8 @@ class Team {
   std::string broadcast(std::string text) const;
   std::uint64_t broadcast(std::uint64_t number) const;
 
-  /// Does `step` on every rank, and throws on all if it threw on any: the error of the lowest such rank.
+  /// Does `step` on every rank, and throws on all if it threw on any: the error of the lowest such rank. If it threw on
+  /// some and others are not through with it half a minute later, all ranks are ended.
   template <class Step>
   void together(Step&& step) const {
     int exit_code = 0;
@@ -46,6 +47,7 @@ class Team {
 
  private:
   void agree(int exit_code, std::string message) const;
+  void wait_for_all(MPI_Request request, int exit_code, const std::string& message) const;
   std::string broadcast_from(int root, std::string text) const;
   MPI_Comm comm_ = MPI_COMM_NULL;
   int rank_ = 0, size_ = 1;

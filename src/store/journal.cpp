@@ -43,7 +43,8 @@ struct Journal::Impl {
   Impl(const std::string& table_path, const JournalIdentity& identity_, bool fresh, const Carry& carry)
       : lock(table_path), path(table_path + ".journal"), identity(identity_), codec(make_header(identity_)),
         buffer(codec.size()) {
-    if (fresh || !open_existing(carry)) create({});
+    if (fresh) create({});
+    else open_existing(carry);
   }
   ~Impl() {
     if (file.is_open() && failure.empty() && unsynced != 0) ::fdatasync(file.fd());  // nobody left to tell
@@ -51,8 +52,8 @@ struct Journal::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  bool open_existing(const Carry& carry);
-  void create(std::vector<Row> rows);
+  void open_existing(const Carry& carry);
+  void create(const std::vector<Row>& rows);
   void recover(const RecordCodec& their_codec);
   void replace(const JournalHeader& old, const Carry& carry);
   std::uint64_t end() const { return header_size + records * codec.size(); }
@@ -74,10 +75,9 @@ struct Journal::Impl {
   std::uint64_t dropped = 0;
 };
 
-/// False if there is no journal.
-bool Journal::Impl::open_existing(const Carry& carry) {
+void Journal::Impl::open_existing(const Carry& carry) {
   file = File(path, O_RDWR);
-  if (!file.is_open() && errno == ENOENT) return false;
+  if (!file.is_open() && errno == ENOENT) return;
   if (!file.is_open()) throw OutputError(fmt::format("cannot open {}: {}", path, reason(errno)));
   struct stat status {};
   if (::fstat(file.fd(), &status) != 0) fail("read", errno);
@@ -87,43 +87,43 @@ bool Journal::Impl::open_existing(const Carry& carry) {
   const std::string why = why_unusable(header, size, identity);
   const bool same_but_for_the_sweep =
       why_unusable(header, size, {header.spec_hash, identity.physics_version, header.rows}).empty();
-  if (!why.empty() && carry && same_but_for_the_sweep) return replace(header, carry), true;
+  if (!why.empty() && carry && same_but_for_the_sweep) return replace(header, carry);
   if (!why.empty())
     throw OutputError(fmt::format("{} {}. Start the sweep again with --fresh, which replaces it, or choose another "
                                   "output with -o", path, why));
   recover(codec);
   if (::ftruncate(file.fd(), static_cast<off_t>(end())) != 0) fail("cut the torn end of", errno);
-  return true;
 }
 
 void Journal::Impl::replace(const JournalHeader& old, const Carry& carry) {
   recover(RecordCodec(old));
-  std::vector<Row> rows = carry(recovered);
-  records = dropped = 0;
-  create(std::move(rows));
+  recovered = carry(recovered);
+  dropped = 0;
+  create(recovered);
 }
 
 /// Written and synced under another name first: a journal always has a whole header, and the rows that it begins with.
-void Journal::Impl::create(std::vector<Row> rows) {
+void Journal::Impl::create(const std::vector<Row>& rows) {
   const std::string part = path + ".part";
-  file = File(part, O_RDWR | O_CREAT | O_TRUNC);
-  if (!file.is_open()) throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
+  File made(part, O_RDWR | O_CREAT | O_TRUNC);
+  if (!made.is_open()) throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
   const JournalHeader header = make_header(identity);
-  int error = write_at(file.fd(), std::as_bytes(std::span(&header, 1)), 0);
+  records = 0;
+  int error = write_at(made.fd(), std::as_bytes(std::span(&header, 1)), 0);
   for (const Row& row : rows) {
     if (error != 0) break;
     codec.encode(row, records, buffer.data());
-    error = write_at(file.fd(), buffer, end());
+    error = write_at(made.fd(), buffer, end());
     ++records;
   }
-  if (error == 0 && ::fsync(file.fd()) != 0) error = errno;
+  if (error == 0 && ::fsync(made.fd()) != 0) error = errno;
   if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) {
     ::unlink(part.c_str());
     throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
   }
+  file = std::move(made);
   sync_directory_of(path);
-  recovered = std::move(rows);
 }
 
 /// Reads the records, a bounded number at a time; `records` is then one past the last good one.
@@ -155,6 +155,13 @@ Journal::~Journal() = default;
 Journal::Journal(Journal&&) noexcept = default;
 Journal& Journal::operator=(Journal&&) noexcept = default;
 
+bool Journal::is_there() const { return impl_->file.is_open(); }
+
+void Journal::begin(const std::vector<Row>& rows) {
+  if (!is_there()) return impl_->create(rows);
+  for (const Row& row : rows) append(row);
+}
+
 const std::vector<Row>& Journal::recovered() const { return impl_->recovered; }
 std::uint64_t Journal::dropped() const { return impl_->dropped; }
 
@@ -162,6 +169,7 @@ void Journal::append(const Row& row) {
   Impl& j = *impl_;
   assert(row.index < j.identity.rows);
   if (!j.failure.empty()) throw IoError(j.failure);
+  if (!is_there()) j.create({});
   j.codec.encode(row, j.records, j.buffer.data());
   if (const int error = write_at(j.file.fd(), j.buffer, j.end()); error != 0) {
     if (::ftruncate(j.file.fd(), static_cast<off_t>(j.end())) != 0)

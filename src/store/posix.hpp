@@ -34,8 +34,8 @@ int write_at(int fd, std::span<const std::byte> bytes, std::uint64_t offset);
 /// Reads up to bytes.size() bytes at `offset`, fewer only at the end of the file. Throws IoError naming `path`.
 std::size_t read_at(int fd, std::span<std::byte> bytes, std::uint64_t offset, const std::string& path);
 
-/// Makes PATH a file of these bytes: written to PATH.part, synced, renamed, so that PATH is complete or as it was before.
-/// Throws OutputError (cannot be created) or IoError (full disk, failed write).
+/// Makes PATH a file of these bytes: written to PATH.part, synced, renamed, so that PATH is complete or as it was
+/// before. Throws OutputError (cannot be created) or IoError (full disk, failed write).
 void write_whole_file(const std::string& path, std::span<const std::byte> bytes);
 
 /// Makes creation, renaming or removal of `path` itself survive a power failure. Throws IoError.

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <utility>
 
 #include "attributes.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/store/build_info.hpp"
+#include "table_checksum.hpp"
 #include "table_types.hpp"
 
 namespace sigmasweep {
@@ -25,18 +25,6 @@ std::string hdf5_version() {
   check(H5get_libversion(&major, &minor, &release), "cannot ask HDF5 for its version");
   return fmt::format("{}.{}.{}", major, minor, release);
 }
-
-namespace {
-
-std::uint64_t parse_hash(const std::string& text) {
-  std::uint64_t hash = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, hash, 16);
-  if (error != std::errc{} || stop != end) throw IoError("attribute spec_hash is not a hexadecimal number");
-  return hash;
-}
-
-}  // namespace
 
 TableInfo common_info(const Team& team, TableInfo info) {
   for (std::string* text : {&info.title, &info.spec_text, &info.host, &info.start})
@@ -79,7 +67,7 @@ StoredInfo read_info(hid_t file) {
   TableInfo& info = stored.info;
   info.title = read_text(file, "title");
   info.spec_text = read_text(file, "spec");
-  info.spec_hash = parse_hash(read_text(file, "spec_hash"));
+  info.spec_hash = parse_hexadecimal(read_text(file, "spec_hash"), "spec_hash");
   info.host = read_text(file, "host");
   info.start = read_text(file, "start");
   info.ranks = static_cast<int>(read_number(file, "ranks"));

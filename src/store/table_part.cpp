@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -10,6 +9,7 @@
 #include "attributes.hpp"
 #include "packing.hpp"
 #include "posix.hpp"
+#include "table_checksum.hpp"
 #include "table_info.hpp"
 #include "table_types.hpp"
 
@@ -22,11 +22,6 @@ std::uint64_t rows_per_transfer(const Section& section) {
   return bytes_per_transfer / packed_size(section.fields);
 }
 
-/// Checksum of a range of rows: that of each transfer, seeded with the one before.
-std::uint64_t add_to_checksum(std::uint64_t checksum, std::span<const std::byte> bytes) {
-  return XXH3_64bits_withSeed(bytes.data(), bytes.size(), checksum);
-}
-
 Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "cannot make a property list"}; }
 
 Handle create_file(const Team& team, const std::string& path) {
@@ -36,8 +31,8 @@ Handle create_file(const Team& team, const std::string& path) {
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "cannot create"};
 }
 
-/// Contiguous, of known size, allocated at once and not filled; units and meanings as its attributes.
-Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows) {
+/// Contiguous, of known size, allocated at once and not filled; units, meanings and checksum as its attributes.
+Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows, std::uint64_t checksum) {
   const std::string what = "cannot create dataset " + section.name;
   const Handle creation = property_list(H5P_DATASET_CREATE);
   check(H5Pset_layout(creation, H5D_CONTIGUOUS), what);
@@ -52,6 +47,7 @@ Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows) {
     write_text(dataset, fmt::format("unit:{}", field.name), std::string(field.unit));
     write_text(dataset, fmt::format("meaning:{}", field.name), std::string(field.meaning));
   }
+  write_checksum(dataset, checksum);
   return dataset;
 }
 
@@ -72,8 +68,19 @@ Handle memory_space(std::uint64_t rows) {
   return space;
 }
 
-/// Collective: one write of all ranks' rows, or a few if there are very many. Returns the checksum of this rank's.
-std::uint64_t write_dataset(const Team& team, hid_t dataset, const Section& section, Block block) {
+std::uint64_t checksum_of(const Section& section, const Block& block) {
+  const std::size_t row_size = packed_size(section.fields);
+  std::vector<std::byte> bytes(row_size);
+  std::uint64_t sum = 0;
+  for (std::uint64_t k = 0; k < block.rows.size(); ++k) {
+    pack(section.fields, block.rows[k], bytes.data());
+    sum += checksum_of_rows(bytes, row_size, block.first + k);
+  }
+  return sum;
+}
+
+/// Collective: one write of all ranks' rows, or a few if there are very many.
+void write_dataset(const Team& team, hid_t dataset, const Section& section, Block block) {
   const std::string what = "cannot write dataset " + section.name;
   const std::size_t row_size = packed_size(section.fields);
   const std::uint64_t at_a_time = rows_per_transfer(section);
@@ -89,7 +96,6 @@ std::uint64_t write_dataset(const Team& team, hid_t dataset, const Section& sect
     check(H5Pset_dxpl_mpio_collective_opt(transfer, H5FD_MPIO_INDIVIDUAL_IO), what);
     type = packed_type(section.fields);
   });
-  std::uint64_t checksum = 0;
   for (std::uint64_t i = 0; i < transfers; ++i) {
     const auto rows = block.rows.subspan(0, std::min<std::uint64_t>(at_a_time, block.rows.size()));
     Handle in_memory, in_file;
@@ -98,35 +104,20 @@ std::uint64_t write_dataset(const Team& team, hid_t dataset, const Section& sect
       in_memory = memory_space(rows.size());
       in_file = select(dataset, block.first, rows.size());
     });
-    team.together([&] {
-      check(H5Dwrite(dataset, type, in_memory, in_file, transfer, buffer.data()), what);
-      if (!rows.empty()) checksum = add_to_checksum(checksum, std::span(buffer).first(rows.size() * row_size));
-    });
+    team.together([&] { check(H5Dwrite(dataset, type, in_memory, in_file, transfer, buffer.data()), what); });
     block = {block.first + rows.size(), block.rows.subspan(rows.size())};
   }
-  return checksum;
 }
 
-std::uint64_t checksum_in_dataset(hid_t file, const Section& section, std::uint64_t total_rows, std::uint64_t first,
-                                  std::uint64_t rows) {
+Checksums checksums_in_dataset(hid_t file, const Section& section, std::uint64_t total_rows, std::uint64_t first,
+                               std::uint64_t rows) {
   const std::string what = "cannot read dataset " + section.name + " back";
   const Handle dataset(H5Dopen2(file, section.name.c_str(), H5P_DEFAULT), H5Dclose, what);
   const Handle stored(H5Dget_type(dataset), H5Tclose, what), type = packed_type(section.fields);
   const Handle space(H5Dget_space(dataset), H5Sclose, what);
   if (H5Tequal(stored, type) <= 0 || H5Sget_simple_extent_npoints(space) != static_cast<hssize_t>(total_rows))
     throw IoError(what + ": it is not what was written");
-  const std::size_t row_size = packed_size(section.fields);
-  const std::uint64_t at_a_time = rows_per_transfer(section);
-  std::vector<std::byte> buffer(row_size * std::clamp<std::uint64_t>(rows, 1, at_a_time));
-  std::uint64_t checksum = 0;
-  for (const std::uint64_t end = first + rows; first < end;) {
-    const std::uint64_t now = std::min(at_a_time, end - first);
-    const Handle in_memory = memory_space(now), in_file = select(dataset, first, now);
-    check(H5Dread(dataset, type, in_memory, in_file, H5P_DEFAULT, buffer.data()), what);
-    checksum = add_to_checksum(checksum, std::span(buffer).first(now * row_size));
-    first += now;
-  }
-  return checksum;
+  return {checksum_of_stored_rows(dataset, first, rows), read_checksum(dataset)};
 }
 
 }  // namespace
@@ -142,24 +133,30 @@ void reserve_space(const std::string& path, std::uint64_t bytes) {
   throw IoError(fmt::format("no room for {} bytes: {}", bytes, reason(error)));
 }
 
-std::vector<std::uint64_t> write_part(const Team& team, const std::string& path, const TableInfo& info,
-                                      std::span<const Section> sections, std::uint64_t total_rows, Block block) {
+std::vector<Checksums> write_part(const Team& team, const std::string& path, const TableInfo& info,
+                                  std::span<const Section> sections, std::uint64_t total_rows, Block block) {
+  std::vector<Checksums> checksums(sections.size());
+  team.together([&] {
+    for (std::size_t i = 0; i < sections.size(); ++i) checksums[i].block = checksum_of(sections[i], block);
+  });
+  for (Checksums& each : checksums) each.dataset = team.sum(each.block);
   Handle file;
   team.together([&] { file = create_file(team, path); });
   const TableInfo common = common_info(team, info);
   std::vector<Handle> datasets;
   team.together([&] {
     write_info(file, table_format, table_format_version, common, total_rows);
-    for (const Section& section : sections) datasets.push_back(create_dataset(file, section, total_rows));
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      checksums[i].dataset += checksum_of_layout(packed_type(sections[i].fields));
+      datasets.push_back(create_dataset(file, sections[i], total_rows, checksums[i].dataset));
+    }
   });
   team.together([&] {
     hsize_t bytes = 0;  // with all metadata and the space of the datasets
     check(H5Fget_filesize(file, &bytes), "cannot ask for the file's size");
     if (team.rank() == 0) reserve_space(path, bytes);
   });
-  std::vector<std::uint64_t> checksums;
-  for (std::size_t i = 0; i < sections.size(); ++i)
-    checksums.push_back(write_dataset(team, datasets[i], sections[i], block));
+  for (std::size_t i = 0; i < sections.size(); ++i) write_dataset(team, datasets[i], sections[i], block);
   team.together([&] {
     for (Handle& dataset : datasets) dataset.close("cannot close a dataset");
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "cannot sync");  // every rank brings its own writes to the disk
@@ -168,13 +165,13 @@ std::vector<std::uint64_t> write_part(const Team& team, const std::string& path,
   return checksums;
 }
 
-std::vector<std::uint64_t> checksums_in_part(const std::string& path, std::span<const Section> sections,
-                                             std::uint64_t total_rows, std::uint64_t first, std::uint64_t rows) {
+std::vector<Checksums> checksums_in_part(const std::string& path, std::span<const Section> sections,
+                                         std::uint64_t total_rows, std::uint64_t first, std::uint64_t rows) {
   const Handle file = open_for_reading(path);
   if (read_info(file).rows != total_rows) throw IoError("the root attributes are not what was written");
-  std::vector<std::uint64_t> checksums;
+  std::vector<Checksums> checksums;
   for (const Section& section : sections)
-    checksums.push_back(checksum_in_dataset(file, section, total_rows, first, rows));
+    checksums.push_back(checksums_in_dataset(file, section, total_rows, first, rows));
   return checksums;
 }
 

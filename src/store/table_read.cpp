@@ -9,21 +9,15 @@
 #include "hdf5_handle.hpp"
 #include "packing.hpp"
 #include "posix.hpp"
+#include "seal.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/store/table.hpp"
+#include "table_checksum.hpp"
 #include "table_info.hpp"
 #include "table_types.hpp"
 
 namespace sigmasweep {
 namespace {
-
-std::string member_name(hid_t type, unsigned i) {
-  char* text = H5Tget_member_name(type, i);
-  if (text == nullptr) throw IoError("a member has no name");
-  std::string name = text;
-  check(H5free_memory(text), "cannot free memory");
-  return name;
-}
 
 /// Whether every name of the HDF5 enumeration is one of `names`: HDF5 converts by name, but those that it does not
 /// find it takes for others, without a word.
@@ -71,6 +65,8 @@ std::vector<Field> read_rows(hid_t file, const std::string& name, const std::vec
     throw IoError(fmt::format("dataset {} has not the {} rows that it should have", name, total_rows));
   std::vector<Field> fields = fields_in(stored, known);
   if (fields.empty()) throw IoError("dataset " + name + " has no member that is known");
+  if (checksum_of_layout(stored) + checksum_of_stored_rows(dataset, 0, total_rows) != read_checksum(dataset))
+    throw IoError(fmt::format("dataset {} is damaged: its rows do not have its checksum", name));
   rows.resize(total_rows);
   const Handle type = packed_type(fields);
   const std::size_t size = packed_size(fields);
@@ -111,6 +107,7 @@ Table read_table(const std::string& path) {
     throw InputNotFound(fmt::format("there is no table {}", path));
   const Hdf5Session session;
   try {
+    check_seal(path);
     return read_open_table(path);
   } catch (const IoError& error) {
     throw IoError(fmt::format("{} is not a whole table of sigmasweep: {}", path, error.what()));

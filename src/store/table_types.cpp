@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "packing.hpp"
+#include "sigmasweep/errors.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -42,6 +43,14 @@ Handle packed_type(std::span<const Field> fields) {
     offset += packed_size(field.type);
   }
   return type;
+}
+
+std::string member_name(hid_t type, unsigned i) {
+  char* text = H5Tget_member_name(type, i);
+  if (text == nullptr) throw IoError("a member has no name");
+  std::string name = text;
+  check(H5free_memory(text), "cannot free memory");
+  return name;
 }
 
 Handle open_for_reading(const std::string& path) {

@@ -11,6 +11,7 @@
 #include "hdf5_handle.hpp"
 #include "packing.hpp"
 #include "posix.hpp"
+#include "seal.hpp"
 #include "sigmasweep/store/table.hpp"
 #include "table_part.hpp"
 
@@ -48,16 +49,16 @@ void check_blocks(const Team& team, const Slice& slice, std::uint64_t total_rows
 
 /// Every rank reads what the next one wrote: its own rows it might find in its own machine's memory.
 void read_back(const Team& team, const std::string& part, std::span<const Section> sections,
-               std::uint64_t total_rows, const Block& block, const std::vector<std::uint64_t>& checksums) {
+               std::uint64_t total_rows, const Block& block, const std::vector<Checksums>& checksums) {
   std::vector<std::uint64_t> message{block.first, block.rows.size()};
-  message.insert(message.end(), checksums.begin(), checksums.end());
+  for (const Checksums& each : checksums) message.push_back(each.block);
   const int before = (team.rank() + team.size() - 1) % team.size(), next = (team.rank() + 1) % team.size();
   check_mpi(MPI_Sendrecv_replace(message.data(), static_cast<int>(message.size()), MPI_UINT64_T, before, 0, next, 0,
                                  team.comm(), MPI_STATUS_IGNORE), "cannot exchange checksums");
   team.together([&] {
     const auto found = checksums_in_part(part, sections, total_rows, message[0], message[1]);
     for (std::size_t i = 0; i < sections.size(); ++i)
-      if (found[i] != message[2 + i])
+      if (found[i] != Checksums{message[2 + i], checksums[i].dataset})
         throw IoError(fmt::format("rows {} to {} of {} read back are not what was written", message[0],
                                   message[0] + message[1] - 1, sections[i].name));
   });
@@ -65,8 +66,7 @@ void read_back(const Team& team, const std::string& part, std::span<const Sectio
 
 /// From here on PATH is there, whole, whatever happens.
 void publish(const std::string& part, const std::string& path) {
-  const File file(part, O_RDWR);
-  if (!file.is_open() || ::fsync(file.fd()) != 0) throw IoError(fmt::format("cannot sync: {}", reason(errno)));
+  seal(part);
   if (std::rename(part.c_str(), path.c_str()) != 0)
     throw OutputError(fmt::format("cannot rename {}: {}", part, reason(errno)));
   sync_directory_of(path);

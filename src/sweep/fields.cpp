@@ -67,6 +67,7 @@ constexpr std::array results{
     SIGMASWEEP_FIELD(collision, v_cm, "1", "final velocity of the centre of mass over v0"),
     SIGMASWEEP_FIELD(collision, t_k, "s", "time from the first to the last contact with the wall"),
     SIGMASWEEP_FIELD(collision, x_max, "m", "largest overlap of any contact"),
+    SIGMASWEEP_FIELD(collision, predicted_growth, "1", "fixed steps: of the stiffest mode's amplitude in N tc, by theory"),
     SIGMASWEEP_FIELD(collision, contacts, "1", "contacts closed and opened again; for hard spheres collisions"),
     SIGMASWEEP_FIELD(collision, end, "1", "why the collision was considered over"),
     SIGMASWEEP_FIELD(collision, status, "1", "whether the row holds what was asked for"),

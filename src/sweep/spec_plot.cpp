@@ -19,7 +19,7 @@ constexpr auto plot_keys = std::to_array<std::string_view>(
      "series", "title", "where", "mean_over", "lines", "fit", "guides"});
 constexpr std::array<std::string_view, 3> fit_keys{"form", "from", "to"};
 constexpr std::array<std::string_view, 7> guide_keys{"slope", "y", "label", "through", "where", "from", "to"};
-constexpr std::array<std::string_view, 2> kinds{"points", "trajectories"};
+constexpr std::array<std::string_view, 3> kinds{"points", "trajectories", "stability"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"};
 constexpr std::array<std::string_view, 2> forms{"power", "line"};
 constexpr std::array<std::string_view, 2> run_keys{"manager", "tuple_time_limit"};
@@ -122,10 +122,13 @@ void require_drawable(const PlotSpec& plot, const Entry& table) {
   }
 }
 
-void require_nothing_for_points(const Entry& plot) {
+void require_keys_of(PlotKind kind, const Entry& plot) {
+  if (kind == PlotKind::points) return;
+  std::vector<std::string_view> keys{"name", "kind", "title", "where"};
+  if (kind == PlotKind::stability) keys.insert(keys.end(), {"y", "y_scale"});
   for (const Entry& entry : entries(as_table(plot), *plot.file, plot.path))
-    if (entry.name != "name" && entry.name != "kind" && entry.name != "title" && entry.name != "where")
-      refuse(entry, "a plot of kind 'trajectories' has no use for it");
+    if (std::ranges::find(keys, entry.name) == keys.end())
+      refuse(entry, fmt::format("a plot of kind '{}' has no use for it", kinds[static_cast<std::size_t>(kind)]));
 }
 
 PlotSpec read_plot(const Entry& plot) {
@@ -150,7 +153,7 @@ PlotSpec read_plot(const Entry& plot) {
     else refuse_unknown(entry, plot_keys);
   }
   require_drawable(spec, plot);
-  if (spec.kind == PlotKind::trajectories) require_nothing_for_points(plot);
+  require_keys_of(spec.kind, plot);
   return spec;
 }
 

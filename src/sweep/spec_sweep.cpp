@@ -166,7 +166,7 @@ Grid read_sweep(const Entry& sweep) {
   require_finite_gap(settings, base);
   require_countable(sweep, groups);
 
-  Grid grid{Product(base, find(settings, "s0") ? Gap::s0 : Gap::sigma, std::move(groups)), {}, {}, {}};
+  Grid grid{Product(base, find(settings, "s0") ? Gap::s0 : Gap::sigma, std::move(groups)), {}, {}, kinds, {}};
   require_pairs(settings, grid.product);
   for (const Setting& setting : settings) {
     if (!setting.is_axis) continue;

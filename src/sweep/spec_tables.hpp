@@ -16,6 +16,7 @@ struct Grid {
   Product product;
   std::vector<const Field*> axes;      ///< parameters that are axes, in spec order
   std::vector<std::uint64_t> axis_sizes;
+  std::vector<Parameters> kinds;       ///< of tuples that there are (spec_kinds.hpp)
   std::optional<Selection> selection;  ///< of the product's indices, if there is a `where`
 };
 

@@ -10,6 +10,7 @@
 #include <xxhash.h>
 
 #include "sigmasweep/errors.hpp"
+#include "sigmasweep/sweep/usage.hpp"
 #include "spec_guard.hpp"
 #include "spec_tables.hpp"
 
@@ -34,7 +35,9 @@ std::vector<Field> columns_of(const spec::Grid& grid) {
     const bool fixed = std::find(fixed_columns.begin(), fixed_columns.end(), field.name) != fixed_columns.end();
     if (fixed || std::find(grid.axes.begin(), grid.axes.end(), &field) != grid.axes.end()) columns.push_back(field);
   }
-  columns.insert(columns.end(), result_fields().begin(), result_fields().end());
+  for (const Field& field : result_fields())
+    if (std::ranges::any_of(grid.kinds, [&](const Parameters& kind) { return is_used(field, kind); }))
+      columns.push_back(field);
   return columns;
 }
 

@@ -45,23 +45,24 @@ constexpr auto rules = std::to_array<Rule>({
     {"ed_rule", is_hard, "method = 'ed'"},
     {"integrator", is_soft, "method = 'md'"},
     {"steps_per_tc", has_given_steps, "integrator = 'gear5', 'verlet' or 'rk4'"},
+    {"predicted_growth", has_fixed_steps, "integrator = 'gear5', 'verlet' or 'rk4'"},
     {"tolerance", has_tolerance, "method = 'md', with integrator = 'exact' or without steps_per_tc"},
 });
 
-const Rule* rule_of(const Field& parameter) {
-  const auto rule = std::ranges::find(rules, parameter.name, &Rule::name);
+const Rule* rule_of(const Field& field) {
+  const auto rule = std::ranges::find(rules, field.name, &Rule::name);
   return rule == rules.end() ? nullptr : &*rule;
 }
 
 }  // namespace
 
-bool is_used(const Field& parameter, const Parameters& tuple) {
-  const Rule* rule = rule_of(parameter);
+bool is_used(const Field& field, const Parameters& tuple) {
+  const Rule* rule = rule_of(field);
   return rule == nullptr || rule->is_used(tuple);
 }
 
-std::string_view needed_for(const Field& parameter) {
-  const Rule* rule = rule_of(parameter);
+std::string_view needed_for(const Field& field) {
+  const Rule* rule = rule_of(field);
   return rule == nullptr ? std::string_view{} : rule->needs;
 }
 

@@ -42,8 +42,9 @@ void report_error(benchmark::State& state, const Parameters& p, double eps_eff) 
 }
 
 /// As a sweep runs it: with its error bar.
-void exact(benchmark::State& state, double sigma) {
-  const Parameters p = tuple(sigma);
+void exact(benchmark::State& state, double sigma, double tolerance) {
+  Parameters p = tuple(sigma);
+  p.tolerance = tolerance;
   Collision c;
   for (auto _ : state) benchmark::DoNotOptimize(c = simulate(p));
   report_error(state, p, c.eps_eff);
@@ -64,7 +65,10 @@ void fixed(benchmark::State& state, Integrator integrator, double sigma, double 
 int main(int argc, char** argv) {
   for (double sigma : sigmas) {
     const std::string at = "/sigma:" + std::to_string(sigma);
-    benchmark::RegisterBenchmark(("exact" + at).c_str(), exact, sigma)->Unit(benchmark::kMicrosecond);
+    for (const double tolerance : {1e-3, 1e-10})
+      benchmark::RegisterBenchmark(("exact/" + std::to_string(int(std::log10(tolerance))) + at).c_str(), exact, sigma,
+                                   tolerance)
+          ->Unit(benchmark::kMicrosecond);
     for (auto integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4})
       for (int steps : {50, 100, 1000}) {
         const std::string name = std::string(name_of(integrator)) + "/tc:" + std::to_string(steps) + at;

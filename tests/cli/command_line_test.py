@@ -4,6 +4,7 @@ import json
 import math
 import os
 import pathlib
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -20,6 +21,8 @@ v0 = 1.0
 tc = 1e-5
 sigma = [0.1, 1, 10]
 """
+
+AXIS = "{ from = 0.1, to = 1, count = 1048576 }"
 
 
 def sigmasweep(*arguments, **options):
@@ -175,6 +178,21 @@ class Answers(Files):
         plan = json.loads(sigmasweep("plan", self.write(spec), "--json").stdout)
         self.assertEqual((plan["tuples"], plan["estimated_from_sample"]), (2 * 10**9, True))
         self.assertGreater(plan["core_seconds"], 2 * 10**9 * 1e-8)
+
+    def test_plan_of_as_many_tuples_as_there_may_be(self):
+        """2^40 of them: little time and memory, and a tuple more is refused."""
+        spec = SPEC.replace('method = ["md", "ed"]\n', "").replace("[0.1, 1, 10]", AXIS)
+        spec = spec.replace("v0 = 1.0", f"v0 = {AXIS}")
+
+        def small():
+            resource.setrlimit(resource.RLIMIT_CPU, (1, 1))  # s; measured: 0.06
+            resource.setrlimit(resource.RLIMIT_DATA, (2**28, 2**28))  # a byte each would be 4096 times that
+
+        ended = sigmasweep("plan", self.write(spec), "--json", preexec_fn=small)
+        self.assertEqual(ended.returncode, 0, ended)
+        self.assertEqual(json.loads(ended.stdout)["tuples"], 2**40)
+        ended = sigmasweep("plan", self.write(spec.replace("1048576", "1048577", 1)), preexec_fn=small)
+        self.assertEqual((ended.returncode, ended.stdout, ended.stderr.count("\n")), (65, "", 1), ended)
 
 
 class UnderALauncher(unittest.TestCase):

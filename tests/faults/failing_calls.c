@@ -1,10 +1,13 @@
 /* LD_PRELOAD: the FAIL_AT-th call of FAIL_CALL on a file whose path contains FAIL_PATH fails with FAIL_ERRNO; so do
-   those after it, if FAIL_ON is set. In the process of rank FAIL_RANK only, if that is set. */
+   those after it, if FAIL_ON is set. In the process of rank FAIL_RANK only, if that is set. For calls of HDF5, which
+   then fail before they do anything, the path is empty. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <stdarg.h>
 #include <stdatomic.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +25,8 @@ static int of_our_rank(void) {
 /* errno of the failure, or 0 */
 static int fails(const char *call, const char *path) {
   const char *wanted = getenv("FAIL_CALL"), *part = getenv("FAIL_PATH");
-  if (wanted == NULL || part == NULL || strcmp(wanted, call) != 0 || strstr(path, part) == NULL || !of_our_rank()) return 0;
+  if (wanted == NULL || part == NULL || strcmp(wanted, call) != 0 || strstr(path, part) == NULL) return 0;
+  if (!of_our_rank()) return 0;
   const int at = atoi(getenv("FAIL_AT")), now = ++calls;
   return now == at || (now > at && getenv("FAIL_ON") != NULL) ? atoi(getenv("FAIL_ERRNO")) : 0;
 }
@@ -63,6 +67,34 @@ WRAP(int, ftruncate64, "ftruncate", (int fd, off64_t size), (fd, size))
   }
 WRAP_ALLOCATE(posix_fallocate, off_t)
 WRAP_ALLOCATE(posix_fallocate64, off64_t)
+
+#define WRAP_OPEN(name)                                                       \
+  int name(const char *path, int flags, ...) {                                \
+    static int (*real)(const char *, int, ...);                               \
+    if (real == NULL) real = (int (*)(const char *, int, ...))dlsym(RTLD_NEXT, #name); \
+    va_list list;                                                             \
+    va_start(list, flags);                                                    \
+    const mode_t mode = flags & (O_CREAT | __O_TMPFILE) ? va_arg(list, mode_t) : 0; \
+    va_end(list);                                                             \
+    const int reads = (flags & O_ACCMODE) == O_RDONLY;                        \
+    const int error = fails(reads ? "open to read" : "open to write", path);  \
+    if (error != 0) return errno = error, -1;                                 \
+    return real(path, flags, mode);                                           \
+  }
+WRAP_OPEN(open)
+WRAP_OPEN(open64)
+
+#define WRAP_HDF5(type, name, arguments, values)                              \
+  type name arguments {                                                       \
+    static type (*real) arguments;                                            \
+    if (real == NULL) real = (type(*) arguments)dlsym(RTLD_NEXT, #name);      \
+    return fails(#name, "") != 0 ? -1 : real values;                          \
+  }
+typedef int64_t id;
+WRAP_HDF5(id, H5Fcreate, (const char *path, unsigned flags, id creation, id access), (path, flags, creation, access))
+WRAP_HDF5(int, H5Dwrite, (id set, id type, id memory, id file, id transfer, const void *data),
+          (set, type, memory, file, transfer, data))
+WRAP_HDF5(int, H5Fflush, (id file, int scope), (file, scope))
 
 int rename(const char *from, const char *to) {
   static int (*real)(const char *, const char *);

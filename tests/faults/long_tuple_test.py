@@ -1,4 +1,5 @@
-"""A tuple that takes too long does not hold up a run: not its end, not a signal, and not when it takes the process down."""
+"""A tuple that takes too long does not hold up a run: not its end, not a signal, and not when it takes the process
+down."""
 
 import os
 import signal
@@ -23,6 +24,8 @@ integrator   = "gear5"
 steps_per_tc = [500.0, 500.0, 500.0, 1e6]
 """
 LONG_ROW = 3
+# Rows 2 and 3 do.
+TWO_LONG = LONG.replace("[2, 3, 4, 200]", "[2, 3, 199, 200]").replace("500.0, 1e6]", "1e6, 1e6]")
 
 
 def statuses(sweep):
@@ -32,25 +35,33 @@ def statuses(sweep):
         return [names[value] for value in table["results"]["status"]]
 
 
-def rows_in_flight(sweep):
-    """Row by rank, from the file beside the table: numbers of 8 bytes, a line of 8 for each rank after the first."""
+def in_flight(sweep):
+    """The run's number, and rank by row, from the file beside the table: numbers of 8 bytes, a line of 8 for each rank
+    after the first."""
     try:
         data = (sweep.path / "table.h5.running").read_bytes()
     except FileNotFoundError:
-        return {}
-    ranks = struct.unpack_from("<Q", data, 32)[0] if len(data) >= 64 else 0
+        return None, {}
+    run, ranks = struct.unpack_from("<2Q", data, 24)
     slots = [struct.unpack_from("<Q", data, 64 * (1 + rank))[0] for rank in range(ranks)]
-    return {rank: slot - 1 for rank, slot in enumerate(slots) if slot}
+    return run, {slot - 1: rank for rank, slot in enumerate(slots) if slot}
 
 
-def wait_for_long_row(sweep, process):
+def start_long_rows(sweep, ranks, *options, rows=(LONG_ROW,)):
+    """The process, and the ranks that compute these rows, once they do."""
+    before, _ = in_flight(sweep)  # what a dead run left says nothing about this one
+    process = sweep.start(ranks, *options)
     end = time.monotonic() + LIMIT
     while process.poll() is None and time.monotonic() < end:
-        for rank, row in rows_in_flight(sweep).items():
-            if row == LONG_ROW:
-                return rank
+        run, rank_of = in_flight(sweep)
+        if run != before and all(row in rank_of for row in rows):
+            return process, [rank_of[row] for row in rows]
         time.sleep(0.01)
-    raise AssertionError(f"row {LONG_ROW} did not begin: {end_of(process)}")
+    raise AssertionError(f"rows {rows} did not begin: {end_of(process)}")
+
+
+def kill_rank(process, rank, ranks):
+    os.kill(ranks_of(process)[rank] if ranks else process.pid, signal.SIGSEGV)
 
 
 class LongTuple(unittest.TestCase):
@@ -65,8 +76,7 @@ class LongTuple(unittest.TestCase):
         for ranks, number in ((0, signal.SIGTERM), (0, signal.SIGINT), (3, signal.SIGUSR1)):
             with self.subTest(ranks=ranks, signal=number):
                 sweep = Sweep(LONG)
-                process = sweep.start(ranks)
-                wait_for_long_row(sweep, process)
+                process, _ = start_long_rows(sweep, ranks)
                 start = time.monotonic()
                 process.send_signal(number)
                 ended = end_of(process)
@@ -77,8 +87,7 @@ class LongTuple(unittest.TestCase):
 
     def test_signal_to_another_rank(self):
         sweep = Sweep(LONG)
-        process = sweep.start(3)
-        busy = wait_for_long_row(sweep, process)
+        process, [busy] = start_long_rows(sweep, 3)
         start = time.monotonic()
         os.kill(ranks_of(process)[(busy + 1) % 3], signal.SIGTERM)
         self.assertEqual(end_of(process).code, 75)
@@ -89,9 +98,8 @@ class LongTuple(unittest.TestCase):
             with self.subTest(ranks=ranks):
                 sweep = Sweep(LONG)
                 for _ in range(2):
-                    process = sweep.start(ranks)
-                    rank = wait_for_long_row(sweep, process)
-                    os.kill(ranks_of(process)[rank] if ranks else process.pid, signal.SIGSEGV)
+                    process, [rank] = start_long_rows(sweep, ranks)
+                    kill_rank(process, rank, ranks)
                     self.assertNotEqual(end_of(process).code, 0)
                 ended = sweep.run(ranks)
                 self.assertEqual(ended.code, 1, ended)
@@ -100,17 +108,83 @@ class LongTuple(unittest.TestCase):
                 self.assertEqual(sweep.files(), ["sweep.toml", "table.h5"])
                 shown = subprocess.run([PROGRAM, "show", str(sweep.table), "--failed"], capture_output=True, text=True)
                 self.assertEqual(shown.stdout.count("sigmasweep one "), 1, shown)
+                self.assertIn("nothing to compute", sweep.run(ranks).err)
+
+    def test_ranks_that_mpirun_ends_are_not_blamed(self):
+        sweep = Sweep(TWO_LONG)
+        for _ in range(2):
+            process, [_, guilty] = start_long_rows(sweep, 3, rows=(2, 3))
+            kill_rank(process, guilty, 3)
+            self.assertNotEqual(end_of(process).code, 0)
+        process, _ = start_long_rows(sweep, 3, rows=(2,))
+        process.send_signal(signal.SIGUSR1)
+        ended = end_of(process)
+        self.assertEqual(ended.code, 75, ended)
+        self.assertIn("row 3 is left out", ended.err)
+        self.assertNotIn("row 2 is left out", ended.err)
 
     def test_one_death_is_no_reason(self):
         sweep = Sweep(LONG)
-        process = sweep.start(2)
-        rank = wait_for_long_row(sweep, process)
+        process, [rank] = start_long_rows(sweep, 2)
         os.kill(ranks_of(process)[rank], signal.SIGKILL)
         end_of(process)
-        process = sweep.start(2)
-        wait_for_long_row(sweep, process)  # it is tried again
+        process, _ = start_long_rows(sweep, 2)  # it is tried again
         process.send_signal(signal.SIGUSR1)
         self.assertEqual(end_of(process).code, 75)
+
+
+class Retry(unittest.TestCase):
+    """Rows that were given up can be had again, without the others."""
+
+    def test_time_limit(self):
+        for ranks in (0, 2):
+            with self.subTest(ranks=ranks):
+                sweep = Sweep(LONG + "[run]\ntuple_time_limit = 0.3\n")
+                self.assertEqual(sweep.run(ranks).code, 1)
+                before, results = sweep.timings(), sweep.results()
+                ended = sweep.run(ranks, "--retry")
+                self.assertEqual(ended.code, 1, ended)
+                self.assertIn("going on with 3 of 4 rows", ended.err)
+                self.assertEqual(sweep.results(), results)
+                after = sweep.timings()
+                self.assertEqual(before[:LONG_ROW].tolist(), after[:LONG_ROW].tolist(), "others were computed again")
+                self.assertEqual(after["attempt"].tolist(), [1, 1, 1, 2])
+                self.assertEqual(sweep.files(), ["sweep.toml", "table.h5"])
+
+    def test_killed_retry_keeps_the_other_rows(self):
+        sweep = Sweep(LONG + "[run]\ntuple_time_limit = 5.0\n")
+        self.assertEqual(sweep.run(2).code, 1)
+        table, before = sweep.table.read_bytes(), sweep.timings()
+        process, _ = start_long_rows(sweep, 0, "--retry")
+        process.kill()
+        end_of(process)
+        self.assertEqual(sweep.table.read_bytes(), table)
+        ended = sweep.run(2)
+        self.assertEqual(ended.code, 1, ended)
+        self.assertIn("going on with 3 of 4 rows", ended.err)
+        self.assertEqual(before[:LONG_ROW].tolist(), sweep.timings()[:LONG_ROW].tolist())
+
+    def test_quarantined(self):
+        sweep = Sweep(LONG)
+        for _ in range(2):
+            process, _ = start_long_rows(sweep, 0)
+            kill_rank(process, 0, 0)
+            end_of(process)
+        self.assertEqual(sweep.run(0).code, 1)
+        self.assertEqual(statuses(sweep)[LONG_ROW], "quarantined")
+        process, _ = start_long_rows(sweep, 2, "--retry")
+        process.send_signal(signal.SIGUSR1)
+        ended = end_of(process)
+        self.assertEqual(ended.code, 75, ended)
+        self.assertEqual(set(sweep.journalled()), {0, 1, 2})
+
+    def test_nothing_to_retry(self):
+        sweep = Sweep(LONG.replace("1e6", "2.0").replace("0.9", "0.1"))  # unstable wherever it is computed
+        self.assertEqual(sweep.run(0).code, 1)
+        before = sweep.table.stat().st_mtime_ns
+        ended = sweep.run(0, "--retry")
+        self.assertIn("nothing to compute", ended.err)
+        self.assertEqual(sweep.table.stat().st_mtime_ns, before)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import time
 import unittest
 
 import h5py
-from sweep_process import PROGRAM, Sweep, end_of, ranks_of, spec
+from sweep_process import MPIEXEC, PROGRAM, Sweep, end_of, ranks_of, spec, xxh3
 
 QUICK = spec(steps=20).replace("[2, 5, 10, 20]", "[2, 3, 5, 8]")  # milliseconds in all
 EXTENDED = QUICK.replace("[0.9, 0.8]", "[0.9, 0.85, 0.8]").replace("count = 15", "count = 29")
@@ -51,6 +51,16 @@ class Slices(unittest.TestCase):
             self.assertIn("nothing to compute", merged.run(0).err)
             self.assertIn("nothing to merge", merge(merged, parts[0].table).stderr)
 
+    def test_merge_under_mpirun(self):
+        part = self.slices(1)[0]
+        merged = Sweep(QUICK)
+        for code, table in ((65, self.slices(2, [1])[0].table), (66, "missing.h5"), (0, part.table)):
+            ended = subprocess.run([*MPIEXEC, "-n", "2", PROGRAM, "merge", str(merged.table), str(table)], text=True,
+                                   timeout=60, capture_output=True)
+            self.assertEqual(ended.returncode, code, ended)
+            self.assertEqual(ended.stderr.count("sigmasweep: "), int(code != 0), ended)
+        self.assertEqual(merged.results(), self.results)
+
     def test_marked_and_readable(self):
         part = self.slices(3, [1])[0]
         with h5py.File(part.table) as table:
@@ -81,8 +91,11 @@ class Slices(unittest.TestCase):
         shutil.copy(parts[1].table, changed.table)
         with h5py.File(changed.table, "r+") as table:
             rows = table["results"][()]
+            before = xxh3(rows[5].tobytes(), 5)
             rows["eps_eff"][5] += 1e-16 + 1e-15
             table["results"][()] = rows
+            checksum = int(table["results"].attrs["checksum"], 16) - before + xxh3(rows[5].tobytes(), 5)
+            table["results"].attrs["checksum"] = f"{checksum % 2**64:016x}"
         for given, code, words in (
             (parts, 65, "90 of 360 rows are missing, those of slice 2/4"),
             ([*parts, other], 65, "is of another spec"),

@@ -3,6 +3,8 @@
 The environment says what to run: SIGMASWEEP, the program; MPIEXEC, mpirun (with the options that it needs here).
 """
 
+import ctypes
+import errno
 import os
 import pathlib
 import shlex
@@ -33,6 +35,24 @@ steps_per_tc = STEPS
 
 def spec(steps=1500):
     return SPEC.replace("STEPS", repr(float(steps)))
+
+
+def failing(call, at=1, number=errno.EIO, path="", on=False, rank=None):
+    """The environment for a run in which a call fails; see failing_calls.c."""
+    environment = dict(os.environ, LD_PRELOAD=os.environ["FAILING_CALLS"], FAIL_CALL=call, FAIL_AT=str(at),
+                       FAIL_ERRNO=str(number), FAIL_PATH=path)
+    if on:
+        environment["FAIL_ON"] = "1"
+    if rank is not None:
+        environment["FAIL_RANK"] = str(rank)
+    return environment
+
+
+def xxh3(data, seed=0):
+    """XXH3_64bits, as the program's files have it."""
+    library = ctypes.CDLL("libxxhash.so.0")
+    library.XXH3_64bits_withSeed.restype = ctypes.c_uint64
+    return library.XXH3_64bits_withSeed(data, ctypes.c_size_t(len(data)), ctypes.c_uint64(seed))
 
 
 class Sweep:

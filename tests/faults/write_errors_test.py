@@ -1,26 +1,15 @@
-"""Every write, sync, rename, truncation and reservation of space fails once: exit 73 or 74 with the file's name, what was
-stored stays readable, and the run goes on when there is room again. WRITE_ERRORS=all tries every call of each kind."""
+"""Every write, sync, rename, truncation and reservation of space fails once: exit 73 or 74 with the file's name, what
+was stored stays readable, and the run goes on when there is room again. WRITE_ERRORS=all tries every call of each kind."""
 
 import errno
 import os
 import unittest
 
-from sweep_process import Sweep, spec
+from sweep_process import Sweep, failing, spec
 
-LIBRARY = os.environ["FAILING_CALLS"]
 ALL = os.environ.get("WRITE_ERRORS") == "all"
 QUICK = spec(steps=20)
 MOST = 400 if ALL else 0
-
-
-def failing(call, at, number, path="table.h5", on=False, rank=None):
-    environment = dict(os.environ, LD_PRELOAD=LIBRARY, FAIL_CALL=call, FAIL_AT=str(at), FAIL_ERRNO=str(number),
-                       FAIL_PATH=path)
-    if on:
-        environment["FAIL_ON"] = "1"
-    if rank is not None:
-        environment["FAIL_RANK"] = str(rank)
-    return environment
 
 
 class WriteErrors(unittest.TestCase):
@@ -34,7 +23,7 @@ class WriteErrors(unittest.TestCase):
     def check(self, ranks, **how):
         """Whether the failure came to pass."""
         sweep = Sweep(QUICK)
-        ended = sweep.run(ranks, env=failing(**how))
+        ended = sweep.run(ranks, env=failing(**{"path": "table.h5", **how}))
         if ended.code != 0:
             self.assertIn(ended.code, (73, 74), ended)
             self.assertIn("table.h5", ended.err)

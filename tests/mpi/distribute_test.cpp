@@ -204,6 +204,21 @@ TEST(Distribute, AnyRankCanAskForTheStop) {
   expect_stopped(trial, 5, 2000);
 }
 
+TEST(Distribute, ARankWithNothingToDoCanAskForTheStop) {
+  if (world().size() == 1) return;
+  Trial trial(1);  // the manager gets it
+  trial.job.compute = [](const Tuple&, const auto& to_end) -> std::optional<Row> {
+    while (!to_end()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return std::nullopt;
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  trial.job.stop = [&] {
+    return world().rank() == world().size() - 1 && std::chrono::steady_clock::now() - begin > std::chrono::seconds(1);
+  };
+  trial.run();
+  EXPECT_TRUE(trial.came.empty());
+}
+
 TEST(Distribute, CanBeDoneAgainAndAgain) {
   for (int i = 0; i < 20; ++i) {
     Trial trial(10);

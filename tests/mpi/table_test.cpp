@@ -9,6 +9,7 @@
 #include <cmath>
 #include <csignal>
 #include <memory>
+#include <random>
 
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/store/table.hpp"
@@ -311,6 +312,50 @@ TEST_F(TableTest, ReadingBackSeesAFlippedBitAndACutFile) {
   }
   put_bytes(path, whole);
   EXPECT_EQ(checksums_in_part(path, sections, 100, 0, 100), sums);
+}
+
+/// Whether the table can be read, and then is the same in everything that a result hangs on.
+testing::AssertionResult refused_or_same(const std::string& path, const Table& wanted, bool must_be_refused) {
+  try {
+    const Table table = read_table(path);
+    if (must_be_refused) return testing::AssertionFailure() << "it was read";
+    if (table.columns.size() != wanted.columns.size() || table.rows.size() != wanted.rows.size() ||
+        table.info.slice != wanted.info.slice || table.info.physics_version != wanted.info.physics_version)
+      return testing::AssertionFailure() << "another table was read";
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+      if (table.columns[i].name != wanted.columns[i].name) return testing::AssertionFailure() << "another column";
+    for (std::size_t k = 0; k < table.rows.size(); ++k)
+      if (bits(table.rows[k]) != bits(wanted.rows[k])) return testing::AssertionFailure() << "another row " << k;
+  } catch (const IoError& error) {
+    if (std::string(error.what()).find(path) == std::string::npos)
+      return testing::AssertionFailure() << "which file? " << error.what();
+  }
+  return testing::AssertionSuccess();
+}
+
+TEST_F(TableTest, AFlippedBitIsNeverReadForARow) {
+  constexpr std::uint64_t rows = 20;
+  write(MPI_COMM_WORLD, path, all_columns(), rows, Deal::gaps, info());
+  if (rank != 0) return;
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  std::minstd_rand random(seed);
+  const Table wanted = read_table(path);
+  const std::string sealed = bytes_of(path), damaged_path = directory + "damaged.h5";
+  const std::string whole = sealed.substr(0, sealed.size() - 16);
+  const auto flip = [&](const std::string& of, std::size_t begin, std::size_t bytes, bool must_be_refused) {
+    std::string damaged = of;
+    const std::size_t byte = begin + random() % bytes, bit = random() % 8;
+    damaged[byte] = static_cast<char>(damaged[byte] ^ (1 << bit));
+    put_bytes(damaged_path, damaged);
+    return testing::AssertionResult(refused_or_same(damaged_path, wanted, must_be_refused))
+           << " (bit " << bit << " of byte " << byte << ")";
+  };
+  for (const char* name : {"results", "timings"}) {
+    const std::string data = raw_bytes(path, name);
+    for (int i = 0; i < 1000; ++i) ASSERT_TRUE(flip(whole, whole.find(data), data.size(), true)) << name;
+  }
+  for (int i = 0; i < 2000; ++i) ASSERT_TRUE(flip(sealed, 0, sealed.size(), false));
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ template <class Real>
 Real eps_eff_in(const Parameters& p) {
   ExactOptions options;
   options.settle = 1e-17;
-  return energies<Real>(exact_collision(reduced_column<Real>(p), options).velocity, Real(1)).eps_eff;
+  const Column<Real> column = reduced_column<Real>(p);
+  return energies<Real>(exact_collision(column, options).velocity, Real(1), column.mass).eps_eff;
 }
 
 double true_error(const Parameters& p, const Collision& c) {
@@ -56,6 +57,41 @@ TEST(ErrorBar, HoldsForARandomThousand) {
   EXPECT_GE(held, 0.99 * results) << held << " of " << results;
   std::sort(overestimates.begin(), overestimates.end());
   EXPECT_LE(overestimates[overestimates.size() / 2], 100.0);
+}
+
+// Tolerances for which short series are tried first, and one that takes all digits. The reference is the same tuple at
+// 1e-12, with an error bar of its own (HoldsForARandomThousand), and at 1e-13 quadruple precision.
+TEST(ErrorBar, HoldsAtEveryTolerance) {
+  const unsigned seed = 31;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-13}) {
+    int results = 0, held = 0;
+    for (int i = 0; i < 300; ++i) {
+      Parameters p;
+      p.N = std::int64_t(std::exp(uniform(random) * std::log(tolerance < 1e-12 ? 12.0 : 60.0)));
+      p.epsilon = 0.1 + 0.9 * uniform(random);
+      p.sigma = uniform(random) < 0.1 ? 0.0 : std::pow(10.0, -6.0 + 8.0 * uniform(random));
+      if (uniform(random) < 0.25) p.width = p.d * uniform(random);
+      p.tolerance = tolerance;
+      p = complete(p, Gap::sigma);
+      const Collision c = simulate(p);
+      if (c.status != Status::ok) continue;
+      Parameters finer = p;
+      finer.tolerance = 1e-12;
+      const Collision better = simulate(finer);
+      if (better.status != Status::ok) continue;
+      const double error = tolerance < 1e-12
+                               ? true_error(p, c)
+                               : std::max(0.0, std::abs(better.eps_eff - c.eps_eff) - better.eps_eff_error);
+      ++results;
+      held += error <= c.eps_eff_error;
+      EXPECT_LE(error, tolerance) << "N=" << p.N << " epsilon=" << p.epsilon << " sigma=" << p.sigma;
+    }
+    EXPECT_GE(results, 200) << tolerance;
+    EXPECT_GE(held, 0.99 * results) << tolerance;
+  }
 }
 
 // Long bounce sequences that no double, and some that no type, can follow.

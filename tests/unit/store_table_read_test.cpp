@@ -8,6 +8,7 @@
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/scene/names.hpp"
 #include "sigmasweep/store/table.hpp"
+#include "store/table_checksum.hpp"
 #include "support/store_samples.hpp"
 
 namespace sigmasweep {
@@ -43,11 +44,12 @@ hid_t enumeration(const std::vector<std::string>& names, int first = 0) {
 /// Makes a table file; the parts can be changed before make().
 struct Maker {
   int rows = 3;
+  std::uint64_t checksum_error = 0;
   std::map<std::string, std::string> texts{{"format", "sigmasweep-table"}, {"title", "t"},  {"spec", "s"},
                                            {"spec_hash", "00000000000000ff"}, {"host", "h"}, {"start", "now"},
                                            {"program_version", "0"}, {"compiler", "c"}, {"compiler_flags", "-O"}};
   std::map<std::string, std::uint64_t> numbers{
-      {"format_version", 1}, {"physics_version", 5}, {"rows", 3}, {"ranks", 2}};
+      {"format_version", 2}, {"physics_version", 5}, {"rows", 3}, {"ranks", 2}};
   std::map<std::string, std::vector<Member>> datasets{
       {"results", {number<double>("v0", H5T_NATIVE_DOUBLE, [](int k) { return k + 0.5; })}},
       {"timings", {number<double>("run_time", H5T_NATIVE_DOUBLE, [](int k) { return k + 0.25; })}}};
@@ -55,26 +57,30 @@ struct Maker {
   void make(const std::string& path) const {
     const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
     ASSERT_GE(file, 0);
-    const hid_t scalar = H5Screate(H5S_SCALAR), text_type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(text_type, H5T_VARIABLE);
-    for (const auto& [name, text] : texts) {
-      const hid_t a = H5Acreate2(file, name.c_str(), text_type, scalar, H5P_DEFAULT, H5P_DEFAULT);
-      const char* characters = text.c_str();
-      ASSERT_GE(H5Awrite(a, text_type, &characters), 0);
-      H5Aclose(a);
-    }
+    const hid_t scalar = H5Screate(H5S_SCALAR);
+    for (const auto& [name, text] : texts) put_text(file, name, text);
     for (const auto& [name, value] : numbers) {
       const hid_t a = H5Acreate2(file, name.c_str(), H5T_NATIVE_UINT64, scalar, H5P_DEFAULT, H5P_DEFAULT);
       ASSERT_GE(H5Awrite(a, H5T_NATIVE_UINT64, &value), 0);
       H5Aclose(a);
     }
     for (const auto& [name, members] : datasets) dataset(file, name, members);
-    H5Tclose(text_type);
     H5Sclose(scalar);
     ASSERT_GE(H5Fclose(file), 0);
   }
 
  private:
+  static void put_text(hid_t object, const std::string& name, const std::string& text) {
+    const hid_t scalar = H5Screate(H5S_SCALAR), type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, H5T_VARIABLE);
+    const hid_t a = H5Acreate2(object, name.c_str(), type, scalar, H5P_DEFAULT, H5P_DEFAULT);
+    const char* characters = text.c_str();
+    ASSERT_GE(H5Awrite(a, type, &characters), 0);
+    H5Aclose(a);
+    H5Tclose(type);
+    H5Sclose(scalar);
+  }
+
   void dataset(hid_t file, const std::string& name, const std::vector<Member>& members) const {
     std::size_t size = 0;
     for (const Member& m : members) size += H5Tget_size(m.type);
@@ -91,6 +97,8 @@ struct Maker {
     const hid_t space = H5Screate_simple(1, &extent, nullptr);
     const hid_t set = H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     ASSERT_GE(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), 0);
+    const auto count = static_cast<std::uint64_t>(rows);
+    write_checksum(set, checksum_of_layout(type) + checksum_of_stored_rows(set, 0, count) + checksum_error);
     H5Dclose(set);
     H5Sclose(space);
     H5Tclose(type);
@@ -196,8 +204,13 @@ TEST_F(TableReadTest, RefusesAnHdf5FileThatIsNoTable) {
 }
 
 TEST_F(TableReadTest, RefusesAnotherVersion) {
-  maker.numbers["format_version"] = 2;
-  EXPECT_NE(refusal().find("version 2"), std::string::npos);
+  maker.numbers["format_version"] = 1;
+  EXPECT_NE(refusal().find("version 1"), std::string::npos);
+}
+
+TEST_F(TableReadTest, RefusesRowsWithoutTheirChecksum) {
+  maker.checksum_error = 1;
+  EXPECT_NE(refusal().find("checksum"), std::string::npos);
 }
 
 TEST_F(TableReadTest, RefusesATableWithAPartMissing) {

@@ -35,8 +35,8 @@ TEST(Fields, ListsAreComplete) {
                                       "gamma", "K_over_m", "D_n", "material", "integrator", "d", "width",
                                       "random_separation", "seed", "ed_rule", "steps_per_tc", "tolerance"}));
   EXPECT_EQ(names(result_fields()),
-            (std::vector<std::string>{"eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "x_max", "contacts",
-                                      "end", "status"}));
+            (std::vector<std::string>{"eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "x_max",
+                                      "predicted_growth", "contacts", "end", "status"}));
   EXPECT_EQ(names(timing_fields()), (std::vector<std::string>{"run_time", "predicted_time", "rank", "attempt"}));
   EXPECT_EQ(find_field("no such field"), nullptr);
 }

@@ -35,7 +35,7 @@ constexpr bool is_reproducible(Status status) {
 }
 
 /// What one collision of a column gave. A plain value of fixed size, sent and stored as it is.
-/// Where there is no result every number is NaN.
+/// Where there is no result every number is NaN, but for predicted_growth.
 struct Collision {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   double eps_eff = nan;        ///< sqrt(E_f/E_0), effective restitution
@@ -45,6 +45,9 @@ struct Collision {
   double v_cm = nan;           ///< final velocity of the centre of mass over v0
   double t_k = nan;            ///< from the first to the last contact with the wall, s (0 for hard spheres at s0 = 0)
   double x_max = nan;          ///< largest overlap of any contact, m (0 for hard spheres)
+  /// Of a fixed time step: what it makes of the amplitude of the column's stiffest mode in N tc, from theory
+  /// (stability.hpp); a good deal above 1 where the step is too long.
+  double predicted_growth = nan;
   std::uint64_t contacts = 0;  ///< contacts that closed and opened again; for hard spheres collisions
   End end = End::none;
   Status status = Status::not_run;

@@ -26,9 +26,11 @@ std::vector<double> step_map(Integrator integrator, const Mode& mode);
 /// brought it to rest without damping, K (1 + beta) x^beta and C x^gamma.
 Mode stiffest_mode(const Column<double>& column, double dt);
 
+/// Growth up to which a column counts as stable: gear5 adds a little even where it is of use.
+inline constexpr double most_stable_growth = 1.05;
+
 /// What the scheme makes of the stiffest mode's amplitude in N tc, about the duration of a column's collision; may be
-/// infinite. At most 1 for a stable scheme, but for gear5, which adds a little even where it is of use: a column
-/// is_stable() up to a factor of 1.05. `dt` in the column's units.
+/// infinite. `dt` in the column's units.
 double predicted_growth(const Column<double>& column, Integrator integrator, double dt);
 bool is_stable(const Column<double>& column, Integrator integrator, double dt);
 /// The same in one tc, whatever N is.

@@ -21,9 +21,10 @@ struct JournalIdentity {
 /// (TABLE.h5.journal). One process opens it, the manager's.
 class Journal {
  public:
-  /// Opens or creates. Holds an exclusive fcntl lock for its lifetime, on TABLE.h5.lock, taken before anything else is
-  /// opened. `fresh` replaces what is there; else a journal of this identity is gone on with: a torn tail (from a
-  /// kill or a full disk) is cut off, damaged records before it are passed over. Throws OutputError (another process
+  /// Opens what is there. Holds an exclusive fcntl lock for its lifetime, on TABLE.h5.lock, taken before anything else
+  /// is opened. `fresh` replaces a journal by an empty one at once; else one of this identity is gone on with: a torn tail
+  /// (from a kill or a full disk) is cut off, damaged records before it are passed over. If there is none, begin() or
+  /// the first append() makes it. Throws OutputError (another process
   /// holds it; cannot be created; foreign, or of another spec, physics version or number of rows: then the file is
   /// left as it is and the message says how to go on) or IoError.
   ///
@@ -36,6 +37,11 @@ class Journal {
   ~Journal();
   Journal(Journal&&) noexcept;
   Journal& operator=(Journal&&) noexcept;
+
+  /// Whether there is a file: an empty one is a run that was begun.
+  bool is_there() const;
+  /// Makes a journal of these rows where there is none; appends them to one that is there. Throws OutputError, IoError.
+  void begin(const std::vector<Row>& rows);
 
   /// Rows found when it was opened, each index once (the last good record), in order of index. Every index is below
   /// the identity's rows; whether a row has the parameters that the spec has there is for the caller to compare.

@@ -36,9 +36,9 @@ struct GuideSpec {
   double to = std::numeric_limits<double>::infinity();
 };
 
-/// What a plot shows: rows as points, or the trajectories of rows, a panel each (such a plot has nothing else but name,
-/// title and where).
-enum class PlotKind { points, trajectories };
+/// What a plot shows: rows as points; the trajectories of rows, a panel each (such a plot has nothing else but name,
+/// title and where); or where a fixed time step is stable (name, title, where, y and y_scale).
+enum class PlotKind { points, trajectories, stability };
 
 /// [plot] of a spec, or one of several [[plot]].
 struct PlotSpec {

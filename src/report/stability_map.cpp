@@ -1,0 +1,112 @@
+#include "stability_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "plot_coordinate.hpp"
+#include "plot_labels.hpp"
+#include "sigmasweep/errors.hpp"
+#include "sigmasweep/scene/law.hpp"
+#include "sigmasweep/solve/stability.hpp"
+#include "sigmasweep/sweep/where.hpp"
+
+namespace sigmasweep {
+namespace {
+
+constexpr double good = 0.01, fair = 0.1;
+constexpr int between = 4;  ///< limits from one y to the next, where they are cheap
+
+bool has_given_step(const Row& row) {
+  const Parameters& p = row.parameters;
+  return p.method == Method::md && p.integrator != Integrator::exact && p.steps_per_tc > 0.0;
+}
+
+Observed observed(const Collision& c) {
+  if (c.status == Status::unstable) return Observed::unstable;
+  if (!(c.eps_eff == c.eps_eff)) return Observed::nothing;
+  return c.eps_eff_error < good ? Observed::good : c.eps_eff_error < fair ? Observed::fair : Observed::wrong;
+}
+
+/// The fewest steps a tc from which on, to shorter and shorter steps, the scheme is stable.
+double fewest_steps(const Parameters& p) {
+  constexpr double most = 1e6, factor = 1.2;
+  const Column<double> column = reduced_column<double>(p);
+  const auto stable = [&](double steps) { return is_stable(column, p.integrator, 1.0 / steps); };
+  double high = most;
+  while (high > 1.0 && stable(high / factor)) high /= factor;
+  double low = high / factor;
+  while (high > 1.001 * low) {
+    const double middle = std::sqrt(low * high);
+    (stable(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+/// The limits of one map, whose tuples are `by_y`.
+std::vector<StabilityLimit> limits_of(const std::map<double, Parameters>& by_y, const Field& y) {
+  std::vector<StabilityLimit> limits;
+  const StabilityLimit* before = nullptr;
+  for (const auto& [value, tuple] : by_y) {
+    const bool is_smooth = y.name == "epsilon" && exponents(tuple).linear();
+    const double from = before ? before->y : value;
+    std::vector<StabilityLimit> added;
+    for (int i = 1; before && is_smooth && i < between; ++i) {
+      Parameters p = tuple;
+      p.epsilon = from + (value - from) * i / between;
+      added.push_back({p.epsilon, fewest_steps(p)});
+    }
+    added.push_back({value, fewest_steps(tuple)});
+    limits.insert(limits.end(), added.begin(), added.end());
+    before = &limits.back();
+  }
+  return limits;
+}
+
+}  // namespace
+
+const Field& stability_axis(const PlotSpec& plot) {
+  const std::string name = plot.y == PlotSpec{}.y ? "epsilon" : plot.y;
+  const auto fields = parameter_fields();
+  const auto found = std::ranges::find(fields, name, &Field::name);
+  if (found == fields.end() || !enumerators(found->type).empty())
+    throw UsageError(fmt::format("plot: the y of a stability map must be a parameter that is a number, not '{}'", name));
+  return *found;
+}
+
+std::vector<StabilityMap> stability_maps(std::span<const Row> rows, const PlotSpec& plot,
+                                         std::span<const std::string> axes) {
+  const Field& y = stability_axis(plot);
+  std::optional<Where> where;
+  if (!plot.where.empty()) where.emplace(plot.where, all_fields());
+  std::vector<StabilityMap> maps;
+  std::vector<std::map<double, Parameters>> tuples;
+  for (const Row& row : rows) {
+    if (!has_given_step(row) || (where && !(*where)(row))) continue;
+    std::string label, plain;
+    for (const std::string& axis : axes) {
+      if (axis == y.name || axis == "steps_per_tc") continue;
+      const Field& field = plot::field_named(axis);
+      label += (label.empty() ? "" : ", ") + plot::value_label(field, row);
+      plain += fmt::format("{}{} = {}", plain.empty() ? "" : ", ", axis, text(field, row));
+    }
+    auto found = std::ranges::find(maps, plain, &StabilityMap::plain_label);
+    if (found == maps.end()) {
+      maps.push_back({label, plain, {}, {}});
+      tuples.emplace_back();
+      found = maps.end() - 1;
+    }
+    const double value = number(y, row), growth = row.collision.predicted_growth;
+    found->cells.push_back({value, row.parameters.steps_per_tc, observed(row.collision),
+                            growth == growth ? growth <= most_stable_growth : is_stable(row.parameters)});
+    tuples[std::size_t(found - maps.begin())].try_emplace(value, row.parameters);
+  }
+  if (maps.empty()) throw UsageError("stability: no row has an integrator of fixed step and steps_per_tc");
+  for (std::size_t i = 0; i < maps.size(); ++i) maps[i].limits = limits_of(tuples[i], y);
+  return maps;
+}
+
+}  // namespace sigmasweep
