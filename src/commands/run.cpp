@@ -145,15 +145,16 @@ int Run::keep_time() {
 
 /// From here on what a run dies of can be known to the next one; and rows of which that is known are not tried again.
 int Run::keep_notes() {
-  constexpr std::uint64_t too_often = 2;
+  constexpr std::uint64_t too_much = 4;  // two runs that died of this row, for all that is known
   InFlightIdentity identity{sweep_->hash(), sweep_->size(), std::random_device{}()};
   identity.run = static_cast<std::uint64_t>(world_.broadcast(static_cast<std::int64_t>(identity.run)));
   const bool forget = options_.fresh || options_.retry;
   const int code = on_manager(world_, [&] {
-    for (const auto& [row, deaths] : begin_in_flight(table_, identity, world_.size(), forget)) {
-      if (deaths < too_often || ledger_->has(row)) continue;
+    for (const auto& [row, blame] : begin_in_flight(table_, identity, world_.size(), forget)) {
+      if (blame < too_much || ledger_->has(row)) continue;
       ledger_->quarantine({row, sweep_->at(row)});
-      say(fmt::format("sigmasweep: row {} is left out, {} processes died while they computed it\n", row, deaths));
+      say(fmt::format("sigmasweep: row {} is left out, processes died while they computed it (--retry tries again)\n",
+                      row));
     }
     return success;
   });
@@ -206,6 +207,7 @@ int Run::compute() {
   job.finished = [this](const Row& row) { take(row); };
   job.stop = [this] {
     if (progress_) progress_->add(0, 0.0);
+    if (stop_.made()) in_flight_->excuse();
     return trouble_ || stop_.made();
   };
   if (deadline_) job.most_seconds = [this] { return deadline_->most_seconds(); };

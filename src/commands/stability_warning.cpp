@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -15,7 +17,8 @@ namespace sigmasweep {
 namespace {
 
 constexpr std::uint64_t most_rows = 1'000'000;
-constexpr std::size_t most_kinds = 100'000, most_slow_kinds = 50;  // a second; slow ones count as stable from there on
+/// A second each: what is beyond counts as stable. Dashpots of laws that are not linear take up to 0.1 s to find.
+constexpr std::size_t most_kinds = 20'000, most_slow_dashpots = 50;
 
 /// What stability depends on where beads are equal: neither v0 nor s0.
 auto kind(const Parameters& p) {
@@ -29,6 +32,20 @@ struct Unstable {
   double lowest = 1.0, highest = 0.0;  ///< epsilon
 };
 
+/// The first few of the dashpots that take long to find.
+class SlowDashpots {
+ public:
+  bool take(const Parameters& p) {
+    const auto [beta, gamma] = exponents(p);
+    if (exponents(p).linear() || p.K_over_m > 0.0) return true;
+    if (known_.size() < most_slow_dashpots) known_.insert({beta, gamma, p.epsilon});
+    return known_.contains({beta, gamma, p.epsilon});
+  }
+
+ private:
+  std::set<std::array<double, 3>> known_;
+};
+
 bool has_given_step(const Parameters& p) {
   return p.method == Method::md && p.integrator != Integrator::exact && p.steps_per_tc > 0.0;
 }
@@ -39,6 +56,7 @@ std::string stability_warning(const Sweep& sweep) {
   const bool one_integrator = std::ranges::find(sweep.axes(), "integrator") == sweep.axes().end();
   if (one_integrator && sweep.at(0).integrator == Integrator::exact) return {};
   std::map<decltype(kind(Parameters{})), bool> known;
+  SlowDashpots dashpots;
   std::map<std::pair<Integrator, double>, Unstable> unstable;
   const std::uint64_t looked_at = std::min(sweep.size(), most_rows), stride = sweep.size() / looked_at;
   std::uint64_t all = 0;
@@ -46,7 +64,7 @@ std::string stability_warning(const Sweep& sweep) {
     const Parameters p = sweep.at(k * stride);
     if (!has_given_step(p)) continue;
     const auto seen = known.find(kind(p));
-    if (seen == known.end() && known.size() >= (exponents(p).linear() ? most_kinds : most_slow_kinds)) continue;
+    if (seen == known.end() && (known.size() >= most_kinds || !dashpots.take(p))) continue;
     const auto [found, is_new] = known.try_emplace(kind(p));
     if (is_new) found->second = is_stable(p);
     if (found->second) continue;

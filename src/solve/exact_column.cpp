@@ -63,9 +63,9 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order>::run(Watcher& watch
   const std::uint64_t step_limit = 8 * options_.event_limit;
   for (std::uint64_t step = 0;; ++step) {
     const std::size_t next = events_.first();
-    const Real t = events_.time_of(next);
+    Real t = events_.time_of(next);
     if constexpr (Watcher::watches) {
-      watcher.until(t, [this](const Real& when, auto x, auto u) { state_at(when, x, u); });
+      watcher.until(epoch_ + t, [this](const Real& when, auto x, auto u) { state_at(when - epoch_, x, u); });
       if (watcher.done()) break;
     }
     if (t == std::numeric_limits<Real>::infinity()) {
@@ -79,6 +79,10 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order>::run(Watcher& watch
     if (options_.patience && options_.patience->is_over(1 + closed_count_)) {
       outcome.status = Status::time_limit;
       break;
+    }
+    if (t > longest_clock && idle_.size() == groups_.size()) {
+      begin_anew(t);
+      t = Real(0);
     }
     if (group_of_[next] != none)
       finish_step(group_of_[next]);
@@ -100,6 +104,18 @@ template <class Real, int Disturbances, bool Uneven, int Order>
 Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order>::run() {
   Nobody nobody;
   return run(nobody);
+}
+
+/// Where nothing touches, time begins anew: flights may be so long that a clock which counts them all could not tell the
+/// moments of a contact apart.
+template <class Real, int Disturbances, bool Uneven, int Order>
+void ExactColumn<Real, Disturbances, Uneven, Order>::begin_anew(const Real& t) {
+  for (std::size_t k = 0; k < N_; ++k) {
+    release(k, t);
+    at_[k] = Real(0);
+    schedule_gap(k);
+  }
+  epoch_ += t;
 }
 
 template <class Real, int Disturbances, bool Uneven, int Order>
@@ -147,7 +163,7 @@ void ExactColumn<Real, Disturbances, Uneven, Order>::change_contact(std::size_t 
   }
   --closed_count_;
   ++contacts_;
-  if (k == 0) wall_opened_ = t;
+  if (k == 0) wall_opened_ = epoch_ + t;
 }
 
 /// Brings contact k up to time t and out of its group, if it is in one. Returns what has been released with it.
@@ -161,8 +177,10 @@ auto ExactColumn<Real, Disturbances, Uneven, Order>::release(std::size_t k, cons
   const Real elapsed = t - at_[k];
   if (elapsed != Real(0)) {
     for (Motion& motion : motion_) motion.x[k] += motion.u[k] * elapsed;
-    for (int m = 1; m < motions; ++m)  // the clock's own rounding: few, in wide gaps, so none may be small by chance
-      motion_[m].x[k] += Real(noise_.sign()) * std::numeric_limits<Real>::epsilon() * u_[k] * t;
+    using std::abs;
+    const Real rounded = abs(u_[k]) * t + abs(x_[k]);  // on the clock, and what the overlap was the sum of
+    for (int m = 1; m < motions; ++m)
+      motion_[m].x[k] += Real(noise_.next()) * std::numeric_limits<Real>::epsilon() * rounded;
     at_[k] = t;
   }
   return {k, k};

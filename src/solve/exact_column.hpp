@@ -52,6 +52,7 @@ class ExactColumn {
 
  private:
   static constexpr int none = -1;
+  static constexpr double longest_clock = 16.0;  ///< t_c
   static constexpr int motions = 1 + Disturbances;
   using State = ContactState<Real>;
   using Taylor = TaylorGroup<Real, motions, Uneven, Order>;
@@ -85,6 +86,7 @@ class ExactColumn {
   State state(std::size_t k) const { return {x_[k], u_[k]}; }
 
   void disturb_gaps();
+  void begin_anew(const Real& t);
   void close_gap(std::size_t k, const Real& t);
   void finish_step(int id);
   void change_contact(std::size_t k, const Real& t);
@@ -112,6 +114,7 @@ class ExactColumn {
   StepLengths<Real, Uneven> steps_;
   std::array<Motion, motions> motion_;
   std::vector<Real>&x_, &u_;            ///< of the column's own motion
+  Real epoch_{};                        ///< when the clock was last set to 0, since the start
   std::vector<Real> at_;                ///< free gaps: the time their state is of
   std::vector<std::uint8_t> closed_;
   std::vector<int> group_of_;

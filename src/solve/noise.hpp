@@ -10,7 +10,6 @@ namespace sigmasweep {
 class Noise {
  public:
   double next() { return static_cast<double>(static_cast<std::int64_t>(random_bits(0, drawn_++))) * 0x1p-63; }
-  double sign() { return next() < 0.0 ? -1.0 : 1.0; }
 
  private:
   std::uint64_t drawn_ = 0;

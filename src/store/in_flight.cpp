@@ -21,7 +21,7 @@ namespace sigmasweep {
 namespace {
 
 // The file is an array of numbers: a header of one line, a line for each rank with its row + 1, or 0, first, and then
-// pairs of a row and its deaths. A line is what processors share.
+// pairs of a row and its blame. A line is what processors share.
 constexpr std::size_t line = 8;
 constexpr std::uint64_t magic = 0x0a314e5552575353;  // "SSWRUN1\n" on a little-endian machine
 enum Header : std::size_t { is_magic, spec_hash, rows, run, ranks };
@@ -43,34 +43,36 @@ std::vector<std::uint64_t> read_numbers(const std::string& path) {
   return numbers;
 }
 
-Deaths deaths_in(const std::vector<std::uint64_t>& numbers, const InFlightIdentity& identity) {
-  Deaths deaths;
-  if (numbers.empty() || numbers[spec_hash] != identity.spec_hash || numbers[rows] != identity.rows) return deaths;
+Blame blame_in(const std::vector<std::uint64_t>& numbers, const InFlightIdentity& identity) {
+  Blame blame;
+  if (numbers.empty() || numbers[spec_hash] != identity.spec_hash || numbers[rows] != identity.rows) return blame;
   const std::size_t past = line * (1 + numbers[ranks]);
   for (std::size_t i = past; i + 1 < numbers.size(); i += 2)
-    if (numbers[i] < identity.rows) deaths[numbers[i]] += numbers[i + 1];
+    if (numbers[i] < identity.rows) blame[numbers[i]] += numbers[i + 1];
+  std::vector<std::uint64_t> left;
   for (std::size_t i = line; i < past; i += line)
-    if (numbers[i] > 0 && numbers[i] <= identity.rows) ++deaths[numbers[i] - 1];
-  return deaths;
+    if (numbers[i] > 0 && numbers[i] <= identity.rows) left.push_back(numbers[i] - 1);
+  for (const std::uint64_t row : left) blame[row] += left.size() == 1 ? 2 : 1;
+  return blame;
 }
 
 }  // namespace
 
-Deaths begin_in_flight(const std::string& table, const InFlightIdentity& identity, int rank_count, bool fresh) {
+Blame begin_in_flight(const std::string& table, const InFlightIdentity& identity, int rank_count, bool fresh) {
   const std::string path = name_of(table), part = path + ".part";
-  Deaths deaths;
-  if (!fresh) deaths = deaths_in(read_numbers(path), identity);
+  Blame blame;
+  if (!fresh) blame = blame_in(read_numbers(path), identity);
   std::vector<std::uint64_t> numbers(line * (1 + static_cast<std::size_t>(rank_count)));
   numbers[is_magic] = magic;
   numbers[spec_hash] = identity.spec_hash;
   numbers[rows] = identity.rows;
   numbers[run] = identity.run;
   numbers[ranks] = static_cast<std::uint64_t>(rank_count);
-  for (const auto& [row, count] : deaths) numbers.insert(numbers.end(), {row, count});
+  for (const auto& [row, weight] : blame) numbers.insert(numbers.end(), {row, weight});
   const File file(part, O_RDWR | O_CREAT | O_TRUNC);
   int error = file.is_open() ? write_at(file.fd(), std::as_bytes(std::span(numbers)), 0) : errno;
   if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return deaths;
+  if (error == 0) return blame;
   ::unlink(part.c_str());
   throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
 }
@@ -111,11 +113,16 @@ InFlight::~InFlight() {
 }
 
 void InFlight::begin(std::uint64_t row) noexcept {
-  if (slot_) std::atomic_ref(*slot_).store(row + 1, std::memory_order_relaxed);
+  if (slot_) std::atomic_ref(*slot_).store(row + 1);
+  if (excused_) end();  // asked after, as excuse() may come at any moment
 }
 
 void InFlight::end() noexcept {
-  if (slot_) std::atomic_ref(*slot_).store(0, std::memory_order_relaxed);
+  if (slot_) std::atomic_ref(*slot_).store(0);
+}
+
+void InFlight::excuse() noexcept {
+  if (!excused_.exchange(true)) end();
 }
 
 }  // namespace sigmasweep

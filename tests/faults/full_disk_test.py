@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 
 from sweep_process import Sweep, spec
@@ -24,7 +25,9 @@ def own_mounts():
         for name, text in (("setgroups", "deny"), ("uid_map", f"0 {uid} 1"), ("gid_map", f"0 {gid} 1")):
             with open(f"/proc/self/{name}", "w") as file:
                 file.write(text)
-    return subprocess.run(["mount", "--make-rprivate", "/"], capture_output=True).returncode == 0
+    with tempfile.TemporaryDirectory() as place:
+        tries = (["mount", "--make-rprivate", "/"], ["mount", "-t", "tmpfs", "none", place], ["umount", place])
+        return all(subprocess.run(each, capture_output=True).returncode == 0 for each in tries)
 
 
 class FullDisk(unittest.TestCase):

@@ -7,7 +7,7 @@ import signal
 import time
 import unittest
 
-from sweep_process import Sweep, end_of, ranks_of
+from sweep_process import Sweep, end_of, ranks_of, wait_until_unlocked
 
 TRIALS = int(os.environ.get("KILL_TRIALS", "10"))
 
@@ -39,22 +39,8 @@ class KillAndResume(unittest.TestCase):
         except ProcessLookupError:
             pass  # it was faster
         end_of(process)
-        self.wait_until_unlocked(sweep)
+        wait_until_unlocked(sweep)
         return sweep.journalled()
-
-    def wait_until_unlocked(self, sweep):
-        """Ranks whose mpirun was killed need a moment to notice."""
-        end = time.monotonic() + 20
-        while time.monotonic() < end:
-            with open("/proc/locks") as locks:
-                inodes = {line.split()[5].split(":")[-1] for line in locks if len(line.split()) > 5}
-            try:
-                if str(os.stat(f"{sweep.table}.lock").st_ino) not in inodes:
-                    return
-            except FileNotFoundError:
-                return
-            time.sleep(0.05)
-        self.fail("a rank outlived its mpirun")
 
     def test_random_kills(self):
         rows = len(self.whole.timings())
@@ -63,7 +49,8 @@ class KillAndResume(unittest.TestCase):
             with self.subTest(trial=trial):
                 sweep = Sweep()
                 kept = {}
-                for _ in range(self.random.randint(1, 2)):
+                kills = self.random.randint(1, 2)
+                for _ in range(kills):
                     left = self.kill_once(sweep)
                     if sweep.table.exists():
                         break
@@ -72,12 +59,16 @@ class KillAndResume(unittest.TestCase):
                 in_the_middle += 0 < len(kept) < rows
                 finished_before = sweep.table.exists()
                 ended = sweep.run(self.random.randint(1, 4))
+                first = ended.err
+                if ended.code == 1 and kills == 2:  # both hit the same row: that looks like the row's fault
+                    self.assertIn("is left out", ended.err)
+                    ended = sweep.run(2, "--retry")
                 self.assertEqual(ended.code, 0, ended)
                 self.assertEqual(sweep.results(), self.results)
                 run_time = sweep.timings()["run_time"]
                 self.assertEqual({row: run_time[row] for row in kept}, kept, "finished rows were computed again")
                 if kept and not finished_before:
-                    self.assertIn(f"going on with {len(kept)} of {rows} rows", ended.err)
+                    self.assertIn(f"going on with {len(kept)} of {rows} rows", first)
                 self.assertEqual(sweep.files(), ["sweep.toml", "table.h5"])
         print(f"{in_the_middle} of {TRIALS} kills hit a run in the middle")
         self.assertGreater(in_the_middle, TRIALS // 3, "the kills came too late to test anything")

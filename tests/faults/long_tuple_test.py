@@ -9,7 +9,7 @@ import time
 import unittest
 
 import h5py
-from sweep_process import LIMIT, PROGRAM, Sweep, end_of, ranks_of
+from sweep_process import LIMIT, PROGRAM, Sweep, end_of, ranks_of, wait_until_unlocked
 
 # Row 3 takes minutes.
 LONG = """
@@ -122,6 +122,19 @@ class LongTuple(unittest.TestCase):
         self.assertEqual(ended.code, 75, ended)
         self.assertIn("row 3 is left out", ended.err)
         self.assertNotIn("row 2 is left out", ended.err)
+
+    def test_a_killed_mpirun_is_no_reason(self):
+        sweep = Sweep(TWO_LONG)
+        for _ in range(2):
+            process, _ = start_long_rows(sweep, 3, rows=(2, 3))
+            process.kill()
+            end_of(process)
+            wait_until_unlocked(sweep)
+        process, _ = start_long_rows(sweep, 3, rows=(2, 3))
+        process.send_signal(signal.SIGUSR1)
+        ended = end_of(process)
+        self.assertEqual(ended.code, 75, ended)
+        self.assertNotIn("is left out", ended.err)
 
     def test_one_death_is_no_reason(self):
         sweep = Sweep(LONG)

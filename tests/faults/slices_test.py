@@ -52,9 +52,9 @@ class Slices(unittest.TestCase):
             self.assertIn("nothing to merge", merge(merged, parts[0].table).stderr)
 
     def test_merge_under_mpirun(self):
-        part = self.slices(1)[0]
+        [whole], [half] = self.slices(1), self.slices(2, [1])
         merged = Sweep(QUICK)
-        for code, table in ((65, self.slices(2, [1])[0].table), (66, "missing.h5"), (0, part.table)):
+        for code, table in ((65, half.table), (66, "missing.h5"), (0, whole.table)):
             ended = subprocess.run([*MPIEXEC, "-n", "2", PROGRAM, "merge", str(merged.table), str(table)], text=True,
                                    timeout=60, capture_output=True)
             self.assertEqual(ended.returncode, code, ended)

@@ -141,3 +141,18 @@ def ranks_of(process):
     except OSError:
         return []
     return [int(pid) for pid in text.split()]
+
+
+def wait_until_unlocked(sweep):
+    """Ranks whose mpirun was killed need a moment to notice."""
+    end = time.monotonic() + 20
+    while time.monotonic() < end:
+        with open("/proc/locks") as locks:
+            inodes = {line.split()[5].split(":")[-1] for line in locks if len(line.split()) > 5}
+        try:
+            if str(os.stat(f"{sweep.table}.lock").st_ino) not in inodes:
+                return
+        except FileNotFoundError:
+            return
+        time.sleep(0.05)
+    raise AssertionError("a rank outlived its mpirun")

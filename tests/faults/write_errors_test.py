@@ -1,5 +1,6 @@
 """Every write, sync, rename, truncation and reservation of space fails once: exit 73 or 74 with the file's name, what
-was stored stays readable, and the run goes on when there is room again. WRITE_ERRORS=all tries every call of each kind."""
+was stored stays readable, and the run goes on when there is room again. WRITE_ERRORS=all tries every call of each
+kind."""
 
 import errno
 import os

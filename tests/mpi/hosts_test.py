@@ -61,7 +61,8 @@ class OnTwoHosts(Sweep):
     def command(self, ranks, *options):
         hosts = f"{ADDRESSES[0]}:1,{ADDRESSES[1]}:{ranks - 1}"
         program = [PROGRAM, "run", str(self.spec), "-o", str(self.table), *options]
-        launch = [*MPIEXEC, "-n", str(ranks), "--host", hosts, "--mca", "plm_rsh_agent", str(self.path / "agent"), *program]
+        agent = ["--mca", "plm_rsh_agent", str(self.path / "agent")]
+        launch = [*MPIEXEC, "-n", str(ranks), "--host", hosts, *agent, *program]
         return on_host(0, "exec " + " ".join(f"'{word}'" for word in launch))
 
 

@@ -1,5 +1,5 @@
-// Energy goes into the dashpots, momentum comes from the wall, and neither is made on the way: to rounding, whatever the
-// damping, the law, the masses, the springs and the gaps.
+// Energy goes into the dashpots, momentum comes from the wall, and neither is made on the way: to rounding, whatever
+// the damping, the law, the masses, the springs and the gaps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,8 +50,8 @@ TEST(Balance, OfEveryRestitutionNumberAndGap) {
       }
 }
 
-// x'' + 2 D_n x' + K_over_m x = 0. Mode q of N closed contacts at the wall has lambda = 2 - 2 cos((2q-1) pi/(2N+1)) times
-// a bead's spring and dashpot; its damping is critical at D_n^2 = 2 K_over_m/lambda.
+// x'' + 2 D_n x' + K_over_m x = 0. Mode q of N closed contacts at the wall has lambda = 2 - 2 cos((2q-1) pi/(2N+1))
+// times a bead's spring and dashpot; its damping is critical at D_n^2 = 2 K_over_m/lambda.
 TEST(Balance, OfColumnsWithOneModeCriticallyDamped) {
   for (const std::int64_t N : {1, 2, 3, 10})
     for (std::int64_t q = 1; q <= N; ++q)
@@ -82,8 +82,8 @@ TEST(Balance, OfMassesThatDifferByAMillion) {
       for (const double sigma : {0.0, 0.3}) {
         Column<double> column = reduced_column<double>(tuple(std::int64_t(mass.size()), epsilon, sigma));
         column.mass = mass;
-        SCOPED_TRACE(testing::Message() << mass[0] << " " << mass[1] << " " << mass[2] << " eps " << epsilon << " sigma "
-                                        << sigma);
+        SCOPED_TRACE(testing::Message() << mass[0] << " " << mass[1] << " " << mass[2] << " eps " << epsilon
+                                        << " sigma " << sigma);
         expect_balance(column, 8.0, roundings, 2000.0);
       }
 }
@@ -119,7 +119,8 @@ TEST(Balance, OfLawsThatAreNotLinear) {
           Parameters p = tuple(N, epsilon, sigma, law);
           if (law == Law::power) p.beta = 1.5, p.gamma = 0.75;
           if (!why_invalid(p).empty()) continue;
-          SCOPED_TRACE(testing::Message() << "law " << int(law) << " N " << N << " eps " << epsilon << " sigma " << sigma);
+          SCOPED_TRACE(testing::Message() << "law " << int(law) << " N " << N << " eps " << epsilon << " sigma "
+                                          << sigma);
           expect_balance(reduced_column<double>(p), 6.0, 1e-10);
         }
 }

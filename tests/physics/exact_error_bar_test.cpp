@@ -94,6 +94,30 @@ TEST(ErrorBar, HoldsAtEveryTolerance) {
   }
 }
 
+// Wide gaps and strong losses: flights many decades longer than the contacts that they lead to, in which a clock that
+// counted all of them would lose the moments of a contact.
+TEST(ErrorBar, HoldsForWideGaps) {
+  const unsigned seed = 7;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int results = 0, held = 0;
+  for (int i = 0; i < 250; ++i) {
+    Parameters p;
+    p.N = 1 + std::int64_t(10.0 * uniform(random));
+    p.epsilon = uniform(random) < 0.5 ? 1e-3 : std::pow(10.0, -3.0 * uniform(random));
+    p.sigma = std::pow(10.0, 4.0 + 8.0 * uniform(random));
+    p.wall = uniform(random) < 0.5 ? Wall::matched : Wall::paper;
+    p = complete(p, Gap::sigma);
+    const Collision c = simulate(p);
+    if (c.status != Status::ok) continue;
+    ++results;
+    held += true_error(p, c) <= c.eps_eff_error;
+  }
+  EXPECT_GE(results, 200);
+  EXPECT_GE(held, 0.99 * results) << held << " of " << results;
+}
+
 // Long bounce sequences that no double, and some that no type, can follow.
 TEST(ErrorBar, SaysSoWhereTheLastDigitsDecide) {
   Parameters p;

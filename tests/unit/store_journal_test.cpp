@@ -209,6 +209,25 @@ TEST_F(JournalTest, FreshStartsAgain) {
   EXPECT_EQ(bytes_of(path).size(), header_size);
 }
 
+TEST_F(JournalTest, IsNotThereBeforeItBegins) {
+  {
+    Journal journal(table, identity, false);
+    EXPECT_FALSE(journal.is_there());
+  }
+  EXPECT_TRUE(directory.names().empty());
+  {
+    Journal journal(table, identity, false);
+    journal.begin({row(3), row(4)});
+    EXPECT_TRUE(journal.is_there());
+    journal.begin({row(5)});
+  }
+  const Journal journal(table, identity, false);
+  EXPECT_TRUE(journal.is_there());
+  ASSERT_EQ(journal.recovered().size(), 3u);
+  for (std::uint64_t i = 0; i < 3; ++i) EXPECT_EQ(bits(journal.recovered()[i]), bits(row(3 + i)));
+  EXPECT_EQ(journal.dropped(), 0u);
+}
+
 TEST_F(JournalTest, LeavesNothingBehindOnceRemoved) {
   {
     Journal journal(table, identity, false);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -15,13 +16,14 @@ struct InFlightIdentity {
   std::uint64_t run = 0;  ///< a random number, to know the file again on another host
 };
 
-/// How many processes have died while they computed a row, by row; of those that died at all.
-using Deaths = std::map<std::uint64_t, std::uint64_t>;
+/// What speaks for it that a row kills its process, by row: 2 for each run that died while it was the only one in
+/// flight; 1 where others were as well, as it may have been any of them, or mpirun or the machine that died.
+using Blame = std::map<std::uint64_t, std::uint64_t>;
 
 /// On the manager, before anybody notes: what earlier runs left (nothing if `fresh`), and a new file for
 /// `ranks` ranks that remembers it. Throws OutputError.
-Deaths begin_in_flight(const std::string& table, const InFlightIdentity& identity, int ranks, bool fresh);
-/// On the manager, once nobody notes any more: the file goes if it has nothing to remember, or if the sweep is complete.
+Blame begin_in_flight(const std::string& table, const InFlightIdentity& identity, int ranks, bool fresh);
+/// On the manager, once nobody notes any more: the file goes if it has nothing to remember, or if all rows are there.
 void end_in_flight(const std::string& table, bool complete) noexcept;
 
 /// One rank's notes.
@@ -34,11 +36,14 @@ class InFlight {
   InFlight& operator=(const InFlight&) = delete;
   void begin(std::uint64_t row) noexcept;
   void end() noexcept;
+  /// This rank was told to stop: whatever it dies of now, it is not the row. From any thread, as often as you like.
+  void excuse() noexcept;
 
  private:
   void* memory_ = nullptr;  ///< null where files cannot be mapped: no notes
   std::size_t size_ = 0;
   std::uint64_t* slot_ = nullptr;
+  std::atomic<bool> excused_ = false;
 };
 
 }  // namespace sigmasweep
