@@ -16,7 +16,7 @@ class BinaryContact {
   BinaryContact(Real K, Real C, Real inertia) : inertia_(inertia), mu_(inertia * C / 2), omega0_2_(inertia * K) {
     using std::exp, std::sqrt, std::atan2;
     const Real omega_2 = omega0_2_ - mu_ * mu_;
-    oscillates_ = omega_2 > 0;
+    oscillates_ = omega_2 > Real(least_omega_2) * omega0_2_;
     if (!oscillates_) return;
     omega_ = sqrt(omega_2);
     duration_ = pi() / omega_;
@@ -27,7 +27,8 @@ class BinaryContact {
 
   using State = ContactState<Real>;
 
-  /// Over- and critically damped contacts never come back to x = 0 from a fresh start: not for this formula.
+  /// Over- and critically damped contacts never come back to x = 0 from a fresh start: not for this formula. Nor are
+  /// those close to it, as 1/omega would raise its rounding errors: restitutions below 1e-13.
   bool oscillates() const { return oscillates_; }
 
   /// Time until x returns to 0 from (x >= 0, u); u > 0 if x = 0.
@@ -77,6 +78,7 @@ class BinaryContact {
     static const Real value = acos(Real(-1));
     return value;
   }
+  static constexpr double least_omega_2 = 0.01;  ///< over omega0^2
   Real inertia_, mu_, omega0_2_, omega_{}, duration_{}, restitution_{}, deepest_{};
   bool oscillates_ = false;
 };

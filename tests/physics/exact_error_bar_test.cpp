@@ -114,7 +114,7 @@ TEST(ErrorBar, HoldsForWideGaps) {
     ++results;
     held += true_error(p, c) <= c.eps_eff_error;
   }
-  EXPECT_GE(results, 200);
+  EXPECT_GE(results, 150);  // the others are chaotic, and say so
   EXPECT_GE(held, 0.99 * results) << held << " of " << results;
 }
 

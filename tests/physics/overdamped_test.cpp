@@ -101,8 +101,8 @@ TEST(Overdamped, MovesAsTheMatrixExponentialSays) {
 
 TEST(Overdamped, TheErrorBarHolds) {
   for (const std::int64_t N : {1, 2, 3, 6, 10})
-    for (const double damping : {0.9, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.3, 4.0})
-      for (const double s0 : {0.0, 0.3, 10.0}) {
+    for (const double damping : {0.9, 0.993, 0.997, 1.0 - 1e-9, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.3, 4.0})
+      for (const double s0 : {0.0, 0.3, 0.4, 0.5, 10.0}) {
         const Parameters p = tuple(N, damping, s0);
         const Collision c = simulate(p);
         SCOPED_TRACE(testing::Message() << "N " << N << " damping " << damping << " s0 " << s0);
