@@ -22,6 +22,10 @@ void guard_open_mpi() {
   unless_set("OMPI_MCA_fs_ufs_lock_algorithm", "3");
   // The default collective write, vulcan, can hang at some numbers of ranks.
   unless_set("OMPI_MCA_fcoll", "dynamic_gen2");
+  // For shared file pointers, which nobody uses, opening a file takes a semaphore of this machine that has the file's
+  // base name. A rank that is killed there leaves it taken: every later run with a table of that name, anybody's, would
+  // wait for ever.
+  unless_set("OMPI_MCA_sharedfp", "^sm");
   // A rank that waits in a collective call lets others have the core. It costs a system call per empty poll, nothing
   // while computing, and more ranks than cores (often unknown to MPI: containers, quotas) do not starve each other.
   unless_set("OMPI_MCA_mpi_yield_when_idle", "1");

@@ -6,6 +6,9 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
 
 #include "agreement.hpp"
 #include "hdf5_handle.hpp"
@@ -18,12 +21,30 @@
 namespace sigmasweep {
 namespace {
 
+/// What Open MPI keeps beside a file while ranks have it open together, and leaves there if they are killed.
+void remove_company_of(const std::string& part) {
+  namespace fs = std::filesystem;
+  const fs::path path(part);
+  const std::string name = path.filename();
+  std::error_code none;  // what cannot be removed does no harm
+  for (fs::directory_iterator it(path.has_parent_path() ? path.parent_path() : ".", none), end; it != end;
+       it.increment(none)) {
+    const std::string other = it->path().filename();
+    if (!other.starts_with(name)) continue;
+    const std::string_view rest = std::string_view(other).substr(name.size());
+    if ((rest.starts_with('-') && rest.ends_with(".lock")) || rest.starts_with(".data.") ||
+        rest.starts_with(".metadata."))
+      ::unlink(it->path().c_str());
+  }
+}
+
 /// Rank 0 makes an empty file and finds out whether the disk has room for what it will be, before HDF5 is asked to do
 /// anything: with a full disk HDF5 over MPI-IO reports success all along.
 void prepare(const std::string& path, const std::string& part, std::uint64_t bytes) {
   struct stat there {};
   if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
     throw OutputError(fmt::format("{} is there already and is no file", path));
+  remove_company_of(part);
   if (!File(part, O_RDWR | O_CREAT | O_TRUNC).is_open())
     throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
   reserve_space(part, bytes);

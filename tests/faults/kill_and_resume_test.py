@@ -1,77 +1,179 @@
 """kill -9 of any rank, or of mpirun, at any time: run again, the sweep goes on with every row that had come in, and the
-results are the same to the bit as without the kill. KILL_TRIALS says how often (10)."""
+results are the same to the bit as without the kill. KILL_TRIALS says how often (10).
 
+One exception is on purpose: a row that was alone in flight at two kills looks as if the processes died of it, and is
+left out until --retry. Here it is allowed only where that is what happened."""
+
+import collections
+import concurrent.futures
+import contextlib
+import ctypes
 import os
+import pathlib
 import random
+import re
 import signal
+import struct
+import subprocess
 import time
 import unittest
 
-from sweep_process import Sweep, end_of, ranks_of, wait_until_unlocked
+from sweep_process import LIMIT, Sweep, ranks_of, spec
 
 TRIALS = int(os.environ.get("KILL_TRIALS", "10"))
+AT_ONCE = 4  # trials; most of a trial is waiting for mpirun, which gives the other ranks two seconds
+TEXT = spec()
+
+
+def wait_until_gone(processes):
+    """The ranks beside one that was killed need a moment, and those whose mpirun was."""
+    def runs(pid):
+        try:
+            return pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] not in "ZX"
+        except OSError:
+            return False
+
+    end = time.monotonic() + LIMIT
+    while any(runs(pid) for pid in processes):
+        if time.monotonic() > end:
+            raise AssertionError("a rank outlives the others, or its mpirun")
+        time.sleep(0.02)
+
+
+def in_flight(sweep):
+    """What the ranks were at when they died, as table.h5.running has it: which run it was, and the rows. A line of 8
+    numbers with the run's name and the count of ranks, then a line for each rank, which starts with its row + 1."""
+    try:
+        data = (sweep.path / "table.h5.running").read_bytes()
+    except FileNotFoundError:
+        return None, set()
+    numbers = struct.unpack(f"<{len(data) // 8}Q", data)
+    run, ranks = numbers[3:5]
+    return run, {row - 1 for row in numbers[8:8 * (1 + ranks):8] if row > 0}
+
+
+class Trial:
+    """One sweep that is killed once or twice and then finished."""
+
+    def __init__(self, test, seed):
+        self.test, self.random, self.sweep = test, random.Random(seed), Sweep(TEXT)
+        self.kept = {}    # run_time by row, as the last kill left them
+        self.alone = {}   # the row that was alone in flight, by run that was killed
+        self.hits = []    # what the kills hit
+        self.left_out = set()
+
+    def __call__(self):
+        for _ in range(self.random.randint(1, 2)):
+            self.kill_once()
+            if self.sweep.table.exists():
+                break
+        self.finish()
+        return self
+
+    def wait_for_the_moment(self, process):
+        moment = self.random.random()
+        if moment < 0.15:  # MPI begins
+            time.sleep(self.random.uniform(0.0, 0.5))
+        elif moment < 0.65:  # rows come in: just after one was written, or later
+            self.sweep.wait_for_rows(process, len(self.sweep.journalled()) + self.random.randint(1, 250))
+            time.sleep(self.random.choice([0.0, self.random.uniform(0.0, 0.1)]))
+        else:  # the ranks write the table together
+            part, end = self.sweep.path / "table.h5.part", time.monotonic() + LIMIT
+            while process.poll() is None and not part.exists() and time.monotonic() < end:
+                time.sleep(0.0005)
+            time.sleep(self.random.uniform(0.0, 0.03))
+
+    def kill_once(self):
+        sweep = self.sweep
+        process = sweep.start(self.random.randint(2, 4))
+        self.wait_for_the_moment(process)
+        process.send_signal(signal.SIGSTOP)  # mpirun must not start another rank now
+        ranks = ranks_of(process)
+        if self.random.random() < 0.2 or not ranks:
+            process.kill()
+        else:
+            with contextlib.suppress(ProcessLookupError):  # it was faster
+                os.kill(self.random.choice(ranks), signal.SIGKILL)
+        process.send_signal(signal.SIGCONT)
+        wait_until_gone(ranks)
+        try:
+            process.communicate(timeout=30)
+        except subprocess.TimeoutExpired:  # mpirun alone, locked up in the end of its PMIx server: seen once in 250
+            self.hits.append("mpirun hung without ranks")
+            process.kill()
+            process.communicate()
+        if sweep.table.exists():
+            return self.hits.append("the end")
+        left = sweep.journalled()
+        self.test.assertEqual({row: left.get(row) for row in self.kept}, self.kept, "rows were lost or computed again")
+        self.hits.append("the table" if (sweep.path / "table.h5.part").exists() else
+                         "rows" if len(left) > len(self.kept) else "the start")
+        self.kept = left
+        run, rows = in_flight(sweep)
+        if len(rows) == 1:
+            self.alone[run] = min(rows)
+
+    def expected_to_be_left_out(self):
+        return {row for row, deaths in collections.Counter(self.alone.values()).items()
+                if deaths > 1 and row not in self.kept}
+
+    def finish(self):
+        test, sweep = self.test, self.sweep
+        finished_before = sweep.table.exists()
+        ended = sweep.run(self.random.randint(1, 4))
+        if self.kept and not finished_before:
+            test.assertIn(f"going on with {len(self.kept)} of {test.rows} rows", ended.err)
+        self.left_out = {int(row) for row in re.findall(r"row (\d+) is left out", ended.err)}
+        test.assertEqual(self.left_out, self.expected_to_be_left_out(), ended)
+        test.assertEqual(ended.code, 1 if self.left_out else 0, ended)
+        if self.left_out:
+            ended = sweep.run(2, "--retry")
+            test.assertEqual(ended.code, 0, ended)
+        test.assertEqual(sweep.results(), test.results)
+        run_time = sweep.timings()["run_time"]
+        test.assertEqual({row: run_time[row] for row in self.kept}, self.kept, "finished rows were computed again")
+        test.assertEqual(sweep.files(), ["sweep.toml", "table.h5"])
 
 
 class KillAndResume(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        seed = int(os.environ.get("KILL_SEED", random.SystemRandom().randrange(10**9)))
-        print(f"KILL_SEED={seed}")
-        cls.random = random.Random(seed)
-        cls.whole = Sweep()
-        start = time.monotonic()
-        ended = cls.whole.run(2)
+        whole = Sweep(TEXT)
+        ended = whole.run(2)
         assert ended.code == 0, ended
-        cls.duration = time.monotonic() - start
-        cls.results = cls.whole.results()
-
-    def kill_once(self, sweep):
-        """Starts the run and kills a part of it. Rows and run times in the journal that is left."""
-        process = sweep.start(self.random.randint(2, 4))
-        sweep.wait_for_rows(process, len(sweep.journalled()) + 1)
-        time.sleep(self.random.uniform(0.0, 0.5 * self.duration))
-        victims = ranks_of(process)
-        if self.random.random() < 0.2:
-            victims = [process.pid]
-        try:
-            if victims:
-                os.kill(self.random.choice(victims), signal.SIGKILL)
-        except ProcessLookupError:
-            pass  # it was faster
-        end_of(process)
-        wait_until_unlocked(sweep)
-        return sweep.journalled()
+        cls.results, cls.rows = whole.results(), len(whole.timings())
 
     def test_random_kills(self):
-        rows = len(self.whole.timings())
-        in_the_middle = 0
-        for trial in range(TRIALS):
-            with self.subTest(trial=trial):
-                sweep = Sweep()
-                kept = {}
-                kills = self.random.randint(1, 2)
-                for _ in range(kills):
-                    left = self.kill_once(sweep)
-                    if sweep.table.exists():
-                        break
-                    self.assertEqual({row: left.get(row) for row in kept}, kept, "rows were lost or computed again")
-                    kept = left
-                in_the_middle += 0 < len(kept) < rows
-                finished_before = sweep.table.exists()
-                ended = sweep.run(self.random.randint(1, 4))
-                first = ended.err
-                if ended.code == 1 and kills == 2:  # both hit the same row: that looks like the row's fault
-                    self.assertIn("is left out", ended.err)
-                    ended = sweep.run(2, "--retry")
-                self.assertEqual(ended.code, 0, ended)
-                self.assertEqual(sweep.results(), self.results)
-                run_time = sweep.timings()["run_time"]
-                self.assertEqual({row: run_time[row] for row in kept}, kept, "finished rows were computed again")
-                if kept and not finished_before:
-                    self.assertIn(f"going on with {len(kept)} of {rows} rows", first)
-                self.assertEqual(sweep.files(), ["sweep.toml", "table.h5"])
-        print(f"{in_the_middle} of {TRIALS} kills hit a run in the middle")
-        self.assertGreater(in_the_middle, TRIALS // 3, "the kills came too late to test anything")
+        seed = int(os.environ.get("KILL_SEED", random.SystemRandom().randrange(10**9)))
+        print(f"KILL_SEED={seed}", flush=True)
+        hits, left_out = collections.Counter(), 0
+        with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+            trials = [pool.submit(Trial(self, seed + number)) for number in range(TRIALS)]
+        for number, trial in enumerate(trials):
+            with self.subTest(trial=number, seed=seed):
+                ended = trial.result()
+                hits.update(ended.hits)
+                left_out += len(ended.left_out)
+        print(f"{TRIALS} trials; kills by what they hit: {dict(hits)}; {left_out} rows left out until --retry")
+        self.assertGreater(hits["rows"] + hits["the table"], TRIALS // 3, "the kills came too late to test anything")
+
+    def test_what_a_kill_leaves_in_the_machine(self):
+        """Open MPI opens files under a semaphore with the file's base name, and keeps a file beside it. What a killed
+        run leaves taken, here by hand, must not stop others, and what it leaves in the directory goes away."""
+        sweep = Sweep(spec(steps=20))
+        sweep.table = sweep.path / f"taken-{os.getpid()}.h5"
+        part = f"{sweep.table.name}.part"
+        for name in (f"{part}-257622017-25513.lock", f"{part}.data.0", f"{part}.metadata.0", f"{part}ial.txt"):
+            (sweep.path / name).write_text("")
+        library, name = ctypes.CDLL(None, use_errno=True), f"OMPIO_{part}".encode()
+        taken = library.sem_open(name, os.O_CREAT | os.O_EXCL, 0o600, 0)
+        self.assertNotEqual(taken, 0, os.strerror(ctypes.get_errno()))
+        try:
+            ended = sweep.run(2)
+        finally:
+            library.sem_unlink(name)
+        self.assertEqual(ended.code, 0, ended)
+        self.assertEqual(sweep.files(), ["sweep.toml", sweep.table.name, f"{part}ial.txt"])
 
 
 if __name__ == "__main__":

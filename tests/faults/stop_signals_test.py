@@ -6,7 +6,7 @@ import unittest
 
 from sweep_process import Sweep, end_of, ranks_of, spec
 
-LONG = spec(steps=4000)  # even a loaded machine gets its signal out before the end
+LONG = spec(steps=8000)  # even a loaded machine gets its signal out before the end
 SIGNALS = [signal.SIGTERM, signal.SIGINT, signal.SIGUSR1]
 
 

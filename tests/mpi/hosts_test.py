@@ -95,7 +95,7 @@ class Hosts(unittest.TestCase):
         self.assertEqual({row: run_time[row] for row in kept}, kept, "finished rows were computed again")
 
     def test_stop_reaches_the_other_host(self):
-        sweep = OnTwoHosts(spec(steps=4000))
+        sweep = OnTwoHosts(spec(steps=8000))
         process = sweep.start(3)
         sweep.wait_for_rows(process)
         ranks = subprocess.run(["ip", "netns", "pids", NAMES[1]], capture_output=True, text=True, check=True).stdout

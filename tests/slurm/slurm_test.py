@@ -15,7 +15,7 @@ import sweep_process  # noqa: E402
 from cluster import Cluster, Job, slurm  # noqa: E402
 from sweep_process import Sweep, spec  # noqa: E402
 
-SLOW = spec(steps=25000)  # 360 rows of milliseconds each, some 15 s of one core in all
+SLOW = spec(steps=25000)  # 360 rows of milliseconds each, some 12 s of one core in all
 sweep_process.LIMIT = 500  # s
 
 
