@@ -69,6 +69,18 @@ std::optional<Slice> parse_slice(const std::string& typed) {
   return slice;
 }
 
+/// The command calls `function`, on every rank of mpirun.
+template <class Options>
+void call_on_all_ranks(CLI::App& command, Invocation& invocation, const std::shared_ptr<Options>& options,
+                       int (*function)(int& argc, char**& argv, const Options&)) {
+  command.callback([&invocation, options, function] {
+    invocation.on_all_ranks = true;
+    invocation.command = [&invocation, options, function] {
+      return function(invocation.argc, invocation.argv, *options);
+    };
+  });
+}
+
 void add_run(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Run a sweep, or go on with it; alone or under mpirun");
@@ -95,12 +107,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "\nA run that was stopped or killed goes on where it was when it is started again with the same spec.\n"
       "Rows do not depend on the number of ranks. In a Slurm job the run also stops in time for the end of the job.\n\n"
       "  mpirun -n 4 sigmasweep run fig2a.toml -o fig2a.h5");
-  command->callback([&invocation, options] {
-    invocation.on_all_ranks = true;
-    invocation.command = [&invocation, options] {
-      return run_on_all_ranks(invocation.argc, invocation.argv, *options);
-    };
-  });
+  call_on_all_ranks(*command, invocation, options, run_on_all_ranks);
 }
 
 void add_merge(CLI::App& app, Invocation& invocation) {
@@ -117,18 +124,16 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "  sigmasweep run fig2a.toml --slice 0/2 -o part0.h5\n"
       "  sigmasweep run fig2a.toml --slice 1/2 -o part1.h5\n"
       "  sigmasweep merge fig2a.h5 part0.h5 part1.h5");
-  command->callback([&invocation, options] {
-    invocation.on_all_ranks = true;  // the others only wait: MPI starts and ends with all
-    invocation.command = [&invocation, options] {
-      return merge_on_one_rank(invocation.argc, invocation.argv, *options);
-    };
-  });
+  // The others only wait: MPI starts and ends with all.
+  call_on_all_ranks(*command, invocation, options, merge_on_one_rank);
 }
 
 void add_precision(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<PrecisionOptions>();
   CLI::App* command = app.add_subcommand("precision", "Measure error against run time of every integrator");
-  command->add_option("spec", options->spec, "A sweep spec with a table [precision]")->required()->type_name("SPEC.toml");
+  command->add_option("spec", options->spec, "A sweep spec with a table [precision]")
+      ->required()
+      ->type_name("SPEC.toml");
   command->add_option("-o,--output", options->output, "The table; default: the spec's name with .h5, here")
       ->type_name("TABLE.h5");
   command->add_option("--tuples", options->tuples, "Contact phases a scene, instead of the spec's")
@@ -144,12 +149,7 @@ void add_precision(CLI::App& app, Invocation& invocation) {
       "measured by one rank; let mpirun bind ranks to cores (--bind-to core).\n\n"
       "  mpirun -n 2 --bind-to core sigmasweep precision precision.toml\n"
       "  sigmasweep precision precision.toml --tuples 10 --repeats 1");
-  command->callback([&invocation, options] {
-    invocation.on_all_ranks = true;
-    invocation.command = [&invocation, options] {
-      return precision_on_all_ranks(invocation.argc, invocation.argv, *options);
-    };
-  });
+  call_on_all_ranks(*command, invocation, options, precision_on_all_ranks);
 }
 
 void add_stability(CLI::App& app, Invocation& invocation) {
@@ -164,15 +164,10 @@ void add_stability(CLI::App& app, Invocation& invocation) {
   command->add_flag_callback("--no-plots", [options] { options->plots = false; }, "No pictures");
   command->add_flag("-q,--quiet", options->run.quiet, "Neither progress nor summary");
   command->footer(
-      "\nRuns the sweep, or goes on with it, as 'run' does, then prints what was seen beside what theory predicts, and\n"
-      "draws both to TABLE.svg and TABLE.png. Rows that came out unstable are no failures here.\n\n"
+      "\nRuns the sweep, or goes on with it, as 'run' does, then prints what was seen beside what theory predicts,\n"
+      "and draws both to TABLE.svg and TABLE.png. Rows that came out unstable are no failures here.\n\n"
       "  mpirun -n 2 sigmasweep stability stability.toml");
-  command->callback([&invocation, options] {
-    invocation.on_all_ranks = true;
-    invocation.command = [&invocation, options] {
-      return stability_on_all_ranks(invocation.argc, invocation.argv, *options);
-    };
-  });
+  call_on_all_ranks(*command, invocation, options, stability_on_all_ranks);
 }
 
 void add_plan(CLI::App& app, Invocation& invocation) {
@@ -204,11 +199,13 @@ void add_one(CLI::App& app, Invocation& invocation) {
   command->add_flag("--json", options->json, "One JSON document: field names and values");
   command->footer(
       "\nGive v0, N, s0 or sigma, and tc and epsilon, or K-over-m and D-n, or a material; the rest has defaults\n"
-      "(method md, law hooke, integrator exact, wall paper).\n\n"
+      "(method md, law hooke, integrator exact, wall paper). Vibrated columns need alpha or A0, but neither v0 nor a\n"
+      "gap.\n\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --s0 1e-6 --N 10 --epsilon 0.9\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --steps-per-tc 500\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --tolerance 1e-4\n"
-      "  sigmasweep one --v0 1 --s0 0 --N 1 --law hertz --material steel");
+      "  sigmasweep one --v0 1 --s0 0 --N 1 --law hertz --material steel\n"
+      "  sigmasweep one --geometry vibrated-column --alpha 4 --frequency 20 --tc 1e-4 --N 10 --epsilon 0.92");
   command->callback([&invocation, options] { invocation.command = [options] { return one(*options); }; });
 }
 

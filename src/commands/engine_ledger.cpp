@@ -11,7 +11,7 @@
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/scene/random.hpp"
 #include "sigmasweep/solve/simulate.hpp"
-#include "sigmasweep/store/build_info.hpp"
+#include "stored_sweep.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -116,14 +116,11 @@ void Ledger::take_table(const Sweep& sweep, const std::string& path, bool begun,
 
 /// The table of this sweep. If rows of it are to be tried again, the others are what the journal begins with.
 void Ledger::take_rows(const Sweep& sweep, const Table& table, const std::string& path) {
-  if (table.info.physics_version != physics_version)
-    refuse(path, fmt::format("was computed with physics version {}, this program has {}", table.info.physics_version,
-                             physics_version));
+  if (const std::string why_not = why_other_physics(table.info); !why_not.empty()) refuse(path, why_not);
   for (const Row& row : table.rows) keep_or_retry(row);
   table_is_complete_ = is_complete();
   if (table_is_complete_) return;
-  if (table.info.build != build_name())
-    refuse(path, "was computed by another build of the program, whose last digits may differ");
+  if (const std::string why_not = why_other_build(table.info); !why_not.empty()) refuse(path, why_not);
   for (std::uint64_t k = 0; k < rows_.size(); ++k) {
     if (!have_[k]) continue;
     rows_[k].parameters = sweep.at(rows_[k].index);  // the table has only those that are columns

@@ -1,12 +1,8 @@
 #include "engine_reuse.hpp"
 
-#include <fmt/format.h>
-
 #include <unordered_map>
 #include <utility>
 
-#include "sigmasweep/solve/simulate.hpp"
-#include "sigmasweep/store/build_info.hpp"
 #include "stored_sweep.hpp"
 
 namespace sigmasweep {
@@ -32,13 +28,8 @@ std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const 
 
 ReusableRows reusable_rows(const std::string& path) {
   StoredSweep stored = read_stored_sweep(path);
-  const TableInfo& info = stored.table.info;
-  if (info.physics_version != physics_version)
-    return {{}, fmt::format("was computed with physics version {}, this program has {}", info.physics_version,
-                            physics_version)};
-  if (info.build != build_name())
-    return {{}, "was computed by another build of the program, whose last digits may differ"};
-  if (!stored.sweep) return {{}, "has a spec that this program cannot read"};
+  std::string why_not = why_not_ours(stored);
+  if (!why_not.empty()) return {{}, std::move(why_not)};
   return {std::move(stored.table.rows), {}};
 }
 

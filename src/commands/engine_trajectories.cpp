@@ -48,10 +48,11 @@ double duration_of(const TrajectorySpec& spec, const Row& row) {
 std::vector<Row> dealt(const Sweep& sweep, const std::vector<Row>& rows, int ranks) {
   std::vector<Row> chosen, in_turns;
   for (const std::uint64_t row : sweep.trajectory()->rows) {
-    if (!std::isfinite(rows[row].collision.t_k)) continue;  // no result, nothing to see
+    const Parameters parameters = sweep.at(row);  // a table that was read back has only those that are columns
+    if (!std::isfinite(show_time(parameters, rows[row].collision))) continue;  // no result, nothing to see
     chosen.push_back(rows[row]);
     chosen.back().index = row;
-    chosen.back().parameters = sweep.at(row);  // a table that was read back has only those that are columns
+    chosen.back().parameters = parameters;
   }
   for (std::size_t rank = 0; rank < static_cast<std::size_t>(ranks); ++rank)
     for (std::size_t k = rank; k < chosen.size(); k += static_cast<std::size_t>(ranks)) in_turns.push_back(chosen[k]);

@@ -11,8 +11,6 @@
 #include "exit_codes.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/summary.hpp"
-#include "sigmasweep/solve/simulate.hpp"
-#include "sigmasweep/store/build_info.hpp"
 #include "sigmasweep/store/table.hpp"
 #include "stored_sweep.hpp"
 
@@ -26,13 +24,8 @@ namespace {
 /// The table of a part, which must be of this sweep (the first part: of any) and of this program.
 Table read_part(const std::string& path, const TableInfo* first) {
   StoredSweep part = read_stored_sweep(path);
+  if (const std::string why_not = why_not_ours(part); !why_not.empty()) refuse(fmt::format("{} {}", path, why_not));
   const TableInfo& info = part.table.info;
-  if (!part.sweep) refuse(fmt::format("{} has a spec that this program cannot read", path));
-  if (info.physics_version != physics_version)
-    refuse(fmt::format("{} was computed with physics version {}, this program has {}", path, info.physics_version,
-                       physics_version));
-  if (info.build != build_name())
-    refuse(fmt::format("{} was computed by another build of the program, whose last digits may differ", path));
   if (first != nullptr && info.spec_hash != first->spec_hash)
     refuse(fmt::format("{} is of another spec (its hash is {:016x}, that of the first part {:016x})", path,
                        info.spec_hash, first->spec_hash));

@@ -47,19 +47,31 @@ std::string readable(const Field& field, const Row& row) {
   return field.unit == "1" ? value : fmt::format("{} {}", value, field.unit);
 }
 
+/// What has an error comes with it.
+std::string with_error(const Field& field, const Row& row) {
+  const Collision& c = row.collision;
+  if (field.name == "eps_eff") return fmt::format("{:.12g} +- {:.1g}", c.eps_eff, c.eps_eff_error);
+  if (field.name == "h_cm") return fmt::format("{:.8g} +- {:.1g} m", c.vibration.h_cm, c.vibration.h_cm_error);
+  return readable(field, row);
+}
+
+bool is_result(const Field& field) {
+  return std::ranges::find(result_fields(), field.name, &Field::name) != result_fields().end();
+}
+
 void print_result(const std::vector<Field>& columns, const Row& row) {
   std::size_t names = 0, values = 24;
   for (const Field& field : columns) {
     names = std::max(names, field.name.size());
-    values = std::max(values, readable(field, row).size());
+    values = std::max(values, with_error(field, row).size());
   }
-  for (const Field& field : columns)
-    if (field.name == "eps_eff")
-      fmt::print("\n{:<{}} {:<{}} {}\n", field.name, names,
-                 fmt::format("{:.12g} +- {:.1g}", row.collision.eps_eff, row.collision.eps_eff_error), values,
-                 field.meaning);
-    else if (field.name != "eps_eff_error")
-      fmt::print("{:<{}} {:<{}} {}\n", field.name, names, readable(field, row), values, field.meaning);
+  bool in_results = false;
+  for (const Field& field : columns) {
+    if (field.name == "eps_eff_error" || field.name == "h_cm_error") continue;
+    if (is_result(field) && !in_results) fmt::print("\n");
+    in_results = is_result(field);
+    fmt::print("{:<{}} {:<{}} {}\n", field.name, names, with_error(field, row), values, field.meaning);
+  }
   fmt::print("\n{:.3g} ms of computing\n", 1e3 * row.timing.run_time);
 }
 

@@ -30,7 +30,7 @@ bool has_overrides(const PlotOptions& o) {
 /// The spec's plot with what the command line has instead. Fit and guides belong to the spec's axes.
 void override(PlotSpec& spec, const PlotOptions& options) {
   if (!options.x.empty()) spec.x = options.x, spec.x_label.clear();
-  if (!options.y.empty()) spec.y = options.y, spec.y_label.clear();
+  if (!options.y.empty()) spec.y = options.y, spec.y_label.clear(), spec.y_error.clear();
   if (!options.x_scale.empty()) spec.x_log = options.x_scale == "log";
   if (!options.y_scale.empty()) spec.y_log = options.y_scale == "log";
   if (!options.series.empty()) spec.series = options.series;
@@ -44,14 +44,6 @@ std::string with_name(const std::filesystem::path& file, const std::string& name
   return (file.parent_path() / (stem + file.extension().string())).string();
 }
 
-/// The spec's map of stable steps, or a map as it comes.
-PlotSpec stability_plot(const std::vector<PlotSpec>& plots) {
-  if (const auto map = std::ranges::find(plots, PlotKind::stability, &PlotSpec::kind); map != plots.end()) return *map;
-  PlotSpec map;
-  map.kind = PlotKind::stability;
-  return map;
-}
-
 void draw(const StoredSweep& stored, const PlotSpec& spec, const PlotOptions& options, const std::string& file) {
   const auto& [info, columns, rows] = stored.table;
   std::vector<SeriesFit> fits;
@@ -59,7 +51,8 @@ void draw(const StoredSweep& stored, const PlotSpec& spec, const PlotOptions& op
     case PlotKind::points: fits = plot_rows(rows, spec, info.title, file); break;
     case PlotKind::trajectories: plot_films(stored, spec, options.table, file); break;
     case PlotKind::stability:
-      if (!stored.sweep) throw UsageError("plot: the table's spec, which names the map's axes, cannot be read any more");
+      if (!stored.sweep)
+        throw UsageError("plot: the table's spec, which names the map's axes, cannot be read any more");
       plot_stability(rows, spec, stored.sweep->axes(), info.title, file);
   }
   fmt::print("{}\n", file);

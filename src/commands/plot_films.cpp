@@ -4,13 +4,13 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/plot_trajectories.hpp"
+#include "sigmasweep/report/row_choice.hpp"
+#include "sigmasweep/solve/trajectory.hpp"
 #include "sigmasweep/store/h5md.hpp"
-#include "sigmasweep/sweep/where.hpp"
 #include "trajectory_files.hpp"
 
 namespace sigmasweep {
@@ -32,21 +32,21 @@ Trajectory read(const std::string& path, const Row& row, std::size_t samples) {
 
 void plot_films(const StoredSweep& stored, const PlotSpec& spec, const std::string& table, const std::string& file) {
   const Sweep& sweep = stored.sweep.value();
-  std::optional<Where> where;
-  if (!spec.where.empty()) where.emplace(spec.where, all_fields());
+  RowChoice chosen(spec.where);
   std::vector<Row> rows;
   for (const std::uint64_t k : sweep.trajectory()->rows) {
     const auto place = stored.table.info.slice.place(k);
     if (!place) continue;
     const Row& row = stored.table.rows[*place];
-    if (std::isfinite(row.collision.t_k) && (!where || (*where)(row))) rows.push_back(row);
+    if (std::isfinite(show_time(row.parameters, row.collision)) && chosen(row)) rows.push_back(row);
   }
   require_room_for(rows.size());
   std::vector<Panel> panels;
   for (const Row& row : rows)
     panels.push_back({row, read(trajectory_file(table, row.index), row, sweep.trajectory()->samples)});
   const std::uint64_t columns = sweep.axes().empty() ? 1 : sweep.axis_sizes().back();
-  plot_trajectories(panels, columns, sweep.axes(), spec.title.empty() ? sweep.title() : spec.title, file);
+  plot_trajectories(panels, columns, sweep.axes(), spec.title.empty() ? sweep.title() : spec.title, file,
+                    spec.by_phase);
 }
 
 }  // namespace sigmasweep

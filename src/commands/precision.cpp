@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <vector>
@@ -18,9 +19,9 @@
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/precision.hpp"
 #include "sigmasweep/report/progress.hpp"
+#include "sigmasweep/report/row_choice.hpp"
 #include "sigmasweep/store/precision_table.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
-#include "sigmasweep/sweep/where.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -115,16 +116,14 @@ std::vector<Field> parameters_of(const Sweep& sweep) {
 /// The scenes that [plot] chooses, on a picture in both forms.
 void draw(const Sweep& sweep, std::span<const PrecisionRow> rows, const std::string& table) {
   const PlotSpec& plot = sweep.plots().front();
-  std::vector<PrecisionRow> drawn(rows.begin(), rows.end());
-  if (!plot.where.empty()) {
-    Where where(plot.where, parameter_fields());
-    std::erase_if(drawn, [&](const PrecisionRow& each) {
-      Row row;
-      row.parameters = each.parameters;
-      return !where(row);
-    });
-    if (drawn.empty()) throw UsageError("plot: no scene satisfies 'where' in [plot]");
-  }
+  RowChoice chosen(plot.where, parameter_fields());
+  std::vector<PrecisionRow> drawn;
+  std::ranges::copy_if(rows, std::back_inserter(drawn), [&](const PrecisionRow& each) {
+    Row row;
+    row.parameters = each.parameters;
+    return chosen(row);
+  });
+  if (drawn.empty()) throw UsageError("plot: no scene satisfies 'where' in [plot]");
   const std::string title = plot.title.empty() ? sweep.title() : plot.title;
   for (const char* form : {".svg", ".png"}) {
     const std::string picture = std::filesystem::path(table).replace_extension(form).string();
@@ -158,14 +157,7 @@ int precision(World& world, const PrecisionOptions& options) {
     if (rows.front().ranks_per_core > 1)
       fmt::print("\n{} ranks shared a processor: the times are CPU times, but caches were shared, too\n",
                  rows.front().ranks_per_core);
-    TableInfo info;
-    info.title = sweep->title();
-    info.spec_text = sweep->text();
-    info.spec_hash = sweep->hash();
-    info.host = host_name();
-    info.start = start;
-    info.ranks = world.size();
-    write_precision_table(table, info, parameters_of(*sweep), rows);
+    write_precision_table(table, table_info(*sweep, start, world.size()), parameters_of(*sweep), rows);
     fmt::print(stderr, "{}\n", table);
     if (options.plots) draw(*sweep, rows, table);
     return success;

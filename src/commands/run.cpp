@@ -242,13 +242,7 @@ void Run::take(const Row& row) {
 }
 
 int Run::write() {
-  TableInfo info;  // the manager's counts
-  info.title = sweep_->title();
-  info.spec_text = sweep_->text();
-  info.spec_hash = sweep_->hash();
-  info.host = host_name();
-  info.start = start_;
-  info.ranks = world_.size();
+  TableInfo info = table_info(*sweep_, start_, world_.size());  // the manager's counts
   info.slice = options_.slice;
   const auto block = world_.scatter(ledger_ ? ledger_->rows() : std::vector<Row>{}, rows());
   try {

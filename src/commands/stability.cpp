@@ -18,15 +18,13 @@ using namespace exit_code;
 
 void require_steps(const Sweep& sweep, const std::string& spec) {
   const auto& columns = sweep.columns();
-  if (std::ranges::find(columns, "predicted_growth", &Field::name) == columns.end())
+  const auto has = [&](std::string_view name) {
+    return std::ranges::find(columns, name, &Field::name) != columns.end();
+  };
+  if (has("h_cm"))
+    throw SpecError(fmt::format("{}: a stability study is for geometry = 'column' only", spec));
+  if (!has("predicted_growth"))
     throw SpecError(fmt::format("{}: a stability study needs tuples with integrator gear5, verlet or rk4", spec));
-}
-
-/// The table's first map, as the spec says or with the defaults.
-PlotSpec map_of(const Sweep& sweep) {
-  const auto& plots = sweep.plots();
-  const auto found = std::ranges::find(plots, PlotKind::stability, &PlotSpec::kind);
-  return found != plots.end() ? *found : PlotSpec{};
 }
 
 bool is_well(const Row& row) { return row.collision.status == Status::unstable || is_success(row.collision.status); }
@@ -45,7 +43,7 @@ int stability(World& world, const StabilityOptions& options) {
     const std::string table = options.run.output.empty() ? default_table(options.run.spec) : options.run.output;
     const StoredSweep stored = read_stored_sweep(table);
     const auto& rows = stored.table.rows;
-    const PlotSpec map = map_of(*stored.sweep);
+    const PlotSpec map = stability_plot(stored.sweep->plots());
     fmt::print("{}", stability_text(rows, map, stored.sweep->axes()));
     for (const char* form : {".svg", ".png"}) {
       if (!options.plots) break;

@@ -12,6 +12,7 @@
 #include "sigmasweep/scene/law.hpp"
 #include "sigmasweep/scene/names.hpp"
 #include "sigmasweep/solve/stability.hpp"
+#include "sigmasweep/sweep/usage.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -46,10 +47,6 @@ class SlowDashpots {
   std::set<std::array<double, 3>> known_;
 };
 
-bool has_given_step(const Parameters& p) {
-  return p.method == Method::md && p.integrator != Integrator::exact && p.steps_per_tc > 0.0;
-}
-
 }  // namespace
 
 std::string stability_warning(const Sweep& sweep) {
@@ -62,7 +59,7 @@ std::string stability_warning(const Sweep& sweep) {
   std::uint64_t all = 0;
   for (std::uint64_t k = 0; k < looked_at; ++k) {
     const Parameters p = sweep.at(k * stride);
-    if (!has_given_step(p)) continue;
+    if (!has_given_steps(p) || p.geometry != Geometry::column) continue;
     const auto seen = known.find(kind(p));
     if (seen == known.end() && (known.size() >= most_kinds || !dashpots.take(p))) continue;
     const auto [found, is_new] = known.try_emplace(kind(p));

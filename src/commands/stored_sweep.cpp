@@ -6,6 +6,9 @@
 
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+#include "sigmasweep/store/build_info.hpp"
 #include "sigmasweep/sweep/usage.hpp"
 
 namespace sigmasweep {
@@ -26,6 +29,23 @@ StoredSweep read_stored_sweep(const std::string& path) {
   return stored;
 }
 
+std::string why_not_ours(const StoredSweep& stored) {
+  if (!stored.sweep) return "has a spec that this program cannot read";
+  const std::string physics = why_other_physics(stored.table.info);
+  return physics.empty() ? why_other_build(stored.table.info) : physics;
+}
+
+std::string why_other_physics(const TableInfo& info) {
+  if (info.physics_version == physics_version) return {};
+  return fmt::format("was computed with physics version {}, this program has {}", info.physics_version,
+                     physics_version);
+}
+
+std::string why_other_build(const TableInfo& info) {
+  if (info.build == build_name()) return {};
+  return "was computed by another build of the program, whose last digits may differ";
+}
+
 std::string rows_by_status(std::span<const Row> rows) {
   const auto names = names_of<Status>();
   std::vector<std::uint64_t> counts(names.size());
@@ -37,14 +57,17 @@ std::string rows_by_status(std::span<const Row> rows) {
 }
 
 std::string repeat_command(const Row& row) {
-  // Both of s0 and sigma are stored; give the one that the other follows from to the bit.
+  // Both of s0 and sigma are stored, and both of alpha and A0; give the one that the other follows from to the bit.
   Parameters p = row.parameters;
+  p.A0 = 0.0;
   give_gap(p, Gap::s0);
-  const bool from_s0 = p.sigma == row.parameters.sigma;
+  give_plate(p);
+  const bool from_s0 = p.sigma == row.parameters.sigma, from_alpha = p.A0 == row.parameters.A0;
   const Row defaults;
   std::string command = "sigmasweep one";
   for (const Field& field : parameter_fields()) {
-    if (field.name == (from_s0 ? "sigma" : "s0") || !is_used(field, row.parameters)) continue;
+    if (field.name == (from_s0 ? "sigma" : "s0") || field.name == (from_alpha ? "A0" : "alpha")) continue;
+    if (!is_used(field, row.parameters)) continue;
     static constexpr auto always =
         std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "epsilon", "beta", "gamma"});
     const bool needed = std::find(always.begin(), always.end(), field.name) != always.end();

@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <optional>
 
 #include "plot_coordinate.hpp"
 #include "plot_curves.hpp"
 #include "plot_guides.hpp"
 #include "plot_labels.hpp"
-#include "sigmasweep/errors.hpp"
+#include "plot_range.hpp"
+#include "sigmasweep/report/row_choice.hpp"
 
 namespace sigmasweep::plot {
 namespace {
@@ -38,16 +39,11 @@ std::string note_of(const Dropped& dropped, const Coordinate& x, const Coordinat
 }
 
 /// The rows that the plot is about.
-std::vector<const Row*> chosen(std::span<const Row> rows, const std::string& condition) {
+std::vector<const Row*> chosen(std::span<const Row> rows, const std::string& where) {
   std::vector<const Row*> kept;
-  std::optional<Where> where;
-  try {
-    if (!condition.empty()) where.emplace(condition, all_fields());
-  } catch (const UsageError& error) {
-    throw UsageError(fmt::format("plot: '{}': {}", condition, error.what()));
-  }
+  RowChoice is_chosen(where);
   for (const Row& row : rows)
-    if (!where || (*where)(row)) kept.push_back(&row);
+    if (is_chosen(row)) kept.push_back(&row);
   return kept;
 }
 
@@ -74,31 +70,28 @@ std::string fit_all(std::vector<Curve>& curves, const FitSpec& spec) {
 double to_scale(const Axis& axis, double value) { return axis.log ? std::log10(value) : value; }
 double from_scale(const Axis& axis, double value) { return axis.log ? std::pow(10.0, value) : value; }
 
-/// The smallest range that holds what it is told of, on the axis' scale.
-class Range {
+/// The range that an axis must have, on its scale.
+class AxisRange {
  public:
-  explicit Range(Axis& axis) : axis_(axis) {}
+  explicit AxisRange(Axis& axis) : axis_(axis) {}
   void hold(double value) {
-    if (axis_.log && !(value > 0.0)) return;
-    low_ = std::min(low_, to_scale(axis_, value));
-    high_ = std::max(high_, to_scale(axis_, value));
+    if (!axis_.log || value > 0.0) range_.take(to_scale(axis_, value));
   }
   /// Sets the axis to it, with a margin on both sides.
   void set() {
-    if (!(low_ <= high_)) low_ = high_ = 0.0;
-    const double margin =
-        high_ > low_ ? 0.04 * (high_ - low_) : axis_.log ? 0.5 : std::max(0.5 * std::abs(low_), 1e-3);
-    axis_.from = from_scale(axis_, low_ - margin);
-    axis_.to = from_scale(axis_, high_ + margin);
+    const auto [low, high] = range_.is_empty() ? Range{0.0, 0.0} : range_;
+    const double margin = high > low ? 0.04 * (high - low) : axis_.log ? 0.5 : std::max(0.5 * std::abs(low), 1e-3);
+    axis_.from = from_scale(axis_, low - margin);
+    axis_.to = from_scale(axis_, high + margin);
   }
 
  private:
   Axis& axis_;
-  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+  Range range_;
 };
 
 void set_ranges(Figure& figure, const PlotSpec& spec) {
-  Range x(figure.x), y(figure.y);
+  AxisRange x(figure.x), y(figure.y);
   for (const auto& curve : figure.curves)
     for (const auto* points : {&curve.points, &curve.path})
       for (const auto& point : *points) {
@@ -130,6 +123,12 @@ void take_turns(Figure& figure) {
   }
 }
 
+/// The field or expression for error bars; empty: none.
+std::string error_of(const PlotSpec& spec) {
+  if (!spec.y_error.empty() || !spec.mean_over.empty()) return spec.y_error;
+  return spec.y == "h_cm" || spec.y == "h_cm_excess" ? "h_cm_error" : "";
+}
+
 }  // namespace
 
 double fraction(const Axis& axis, double value) {
@@ -144,6 +143,8 @@ double value_at(const Axis& axis, double fraction) {
 
 Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::string& title) {
   Coordinate x(spec.x), y(spec.y);
+  std::optional<Coordinate> error;
+  if (const std::string field = error_of(spec); !field.empty()) error.emplace(field);
   Figure figure;
   figure.title = spec.title.empty() ? title : spec.title;
   figure.x = {.label = spec.x_label.empty() ? x.axis_label() : spec.x_label, .log = spec.x_log};
@@ -151,10 +152,12 @@ Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::str
 
   const auto drawable = chosen(rows, spec.where);
   Dropped dropped;
-  Curves curves(spec, x, y, occurs(drawable, Method::md) && occurs(drawable, Method::ed));
+  // Hard spheres beside soft ones are a line, which has no bars.
+  Curves curves(spec, x, y, !error && occurs(drawable, Method::md) && occurs(drawable, Method::ed));
   Guides guides(spec);
   for (const Row* row : drawable) {
-    const Point point{x(*row), y(*row)};
+    const double deviation = error ? (*error)(*row) : 0.0;
+    const Point point{x(*row), y(*row), std::isfinite(deviation) ? deviation : 0.0};
     if (!is_success(row->collision.status))
       ++dropped.failed;
     else if (!std::isfinite(point.x) || !std::isfinite(point.y))
@@ -172,7 +175,7 @@ Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::str
   if (spec.fit) append(figure.note, fit_all(figure.curves, *spec.fit));
   set_ranges(figure, spec);
   figure.guides = guides.take(figure);
-  if (spec.mean_over.empty()) take_turns(figure);  // means are few, and their bars cannot stand in for each other
+  if (spec.mean_over.empty() && !error) take_turns(figure);  // bars cannot stand in for each other
   return figure;
 }
 

@@ -14,7 +14,7 @@ namespace sigmasweep::plot {
 
 struct Point {
   double x, y;
-  double deviation = 0.0;  ///< standard deviation of y, for an error bar; 0: none
+  double deviation = 0.0;  ///< standard deviation or error of y, for a bar; 0: none
 };
 
 struct Curve {
@@ -29,7 +29,7 @@ struct Curve {
 /// A dashed line to compare with.
 struct Guide {
   std::string label;  ///< enhanced text
-  Point from, to;
+  std::vector<Point> path;  ///< from left to right; two points: straight on the picture
 };
 
 struct Axis {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plot_figure.hpp"
+#include "sigmasweep/sweep/formula.hpp"
 #include "sigmasweep/sweep/where.hpp"
 
 namespace sigmasweep::plot {

@@ -28,6 +28,17 @@ constexpr auto symbols = std::to_array<Symbol>({
     {"Er_E0", "{/:Italic E}_r/{/:Italic E}_0", ""},
     {"v_cm", "{/:Italic v}_{cm}/{/:Italic v}_0", ""},
     {"t_k", "{/:Italic t}_k", "contact time of the column {/:Italic t}_k"},
+    {"frequency", "{/:Italic f}", ""},
+    {"alpha", "{/:Italic α}", "{/:Italic α} = {/:Italic A}_0 {/:Italic ω}^2/{/:Italic g}"},
+    {"A0", "{/:Italic A}_0", ""},
+    {"gravity", "{/:Italic g}", ""},
+    {"h_cm", "⟨{/:Italic h}_{cm}⟩", "mean height of the centre of mass ⟨{/:Italic h}_{cm}⟩"},
+    {"h_cm_error", "δ{/:Italic h}_{cm}", "standard error of ⟨{/:Italic h}_{cm}⟩"},
+    {"h_cm_excess", "Δ{/:Italic h}_{cm}",
+     "rise of the centre of mass ⟨{/:Italic h}_{cm}⟩ − {/:Italic h}_{cm0}"},
+    {"separation", "⟨{/:Italic s}⟩", "mean separation of neighbours ⟨{/:Italic s}⟩"},
+    {"separation_max", "{/:Italic s}_{max}", "largest separation of neighbours {/:Italic s}_{max}"},
+    {"E_r", "⟨{/:Italic E}_r⟩", "energy of the relative motion ⟨{/:Italic E}_r⟩"},
     {"x_max", "{/:Italic x}_{max}", "largest overlap {/:Italic x}_{max}"},
 });
 

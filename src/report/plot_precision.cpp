@@ -8,6 +8,7 @@
 
 #include "plot_gnuplot.hpp"
 #include "plot_labels.hpp"
+#include "plot_range.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/precision.hpp"
 #include "sigmasweep/scene/names.hpp"
@@ -39,16 +40,14 @@ Series& series_named(Panel& panel, const std::string& label) {
   return found != panel.series.end() ? *found : panel.series.emplace_back(Series{label, {}});
 }
 
-struct Range {
-  double low = 1e300, high = 0.0;
+/// Of numbers that a logarithmic axis can show.
+struct Decades : Range {
   void take(double value) {
-    if (!(value > 0.0 && std::isfinite(value))) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
+    if (value > 0.0 && std::isfinite(value)) Range::take(value);
   }
   /// Whole decades with some room.
   void round() {
-    if (high == 0.0) low = high = 1.0;
+    if (is_empty()) low = high = 1.0;
     low = std::pow(10.0, std::floor(std::log10(low) - 0.1));
     high = std::pow(10.0, std::ceil(std::log10(high) + 0.1));
   }
@@ -119,7 +118,7 @@ class Picture {
     return out.empty() ? "NaN NaN\n" : out;
   }
 
-  Range errors_, times_;
+  Decades errors_, times_;
 };
 
 void draw(std::span<const Panel> panels, const std::string& title, const std::string& path) {
@@ -164,8 +163,8 @@ void plot_precision(std::span<const PrecisionRow> rows, std::span<const std::str
         .marks.push_back({row.error_median, row.error_max, row.run_time, row.failures > 0});
   }
   if (panels.size() > most_precision_panels)
-    throw UsageError(fmt::format("plot: {} scenes, but at most {} find room on a picture: choose with 'where' in [plot]",
-                                 panels.size(), most_precision_panels));
+    throw UsageError(fmt::format("plot: {} scenes, but at most {} find room on a picture: choose with 'where' in "
+                                 "[plot]", panels.size(), most_precision_panels));
   draw(panels, title, path);
 }
 

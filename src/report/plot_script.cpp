@@ -75,9 +75,14 @@ std::vector<Point> all_points(const Figure& figure) {
     points.insert(points.end(), curve.path.begin(), curve.path.end());
     if (curve.fit) add_line(fraction(figure.x, curve.fit->from), fraction(figure.x, curve.fit->to), *curve.fit);
   }
-  for (const Guide& guide : figure.guides) {  // straight on the picture
-    const double x0 = fraction(figure.x, guide.from.x), x1 = fraction(figure.x, guide.to.x);
-    const double y0 = fraction(figure.y, guide.from.y), y1 = fraction(figure.y, guide.to.y);
+  for (const Guide& guide : figure.guides) {
+    if (guide.path.size() != 2) {
+      points.insert(points.end(), guide.path.begin(), guide.path.end());
+      continue;
+    }
+    const auto [from, to] = std::pair(guide.path[0], guide.path[1]);  // straight on the picture
+    const double x0 = fraction(figure.x, from.x), x1 = fraction(figure.x, to.x);
+    const double y0 = fraction(figure.y, from.y), y1 = fraction(figure.y, to.y);
     add_line(x0, x1, [&](double x) {
       return value_at(figure.y, y0 + (y1 - y0) * (fraction(figure.x, x) - x0) / (x1 - x0));
     });
@@ -177,7 +182,7 @@ class Drawing {
                         curve_dashes[rule++ % curve_dashes.size()]),
             curve.label);
     for (std::size_t i = 0; i < figure.guides.size(); ++i)
-      add({figure.guides[i].from, figure.guides[i].to},
+      add(figure.guides[i].path,
           fmt::format("with lines dashtype {} linewidth 1.4 linecolor '#505050'",
                       guide_dashes[i % guide_dashes.size()]),
           figure.guides[i].label);

@@ -6,6 +6,7 @@
 
 #include "plot_gnuplot.hpp"
 #include "plot_labels.hpp"
+#include "plot_range.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/stability.hpp"
 #include "stability_map.hpp"
@@ -67,14 +68,6 @@ std::string key_script() {
          fmt::format("{}, NaN with {} title 'predicted limit'\n", plots, limit_style);
 }
 
-struct Range {
-  double low = 1e300, high = 0.0;
-  void take(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
-
 /// The maps on common axes.
 std::string axes_script(std::span<const StabilityMap> maps, bool y_log) {
   Range steps, values;
@@ -84,7 +77,8 @@ std::string axes_script(std::span<const StabilityMap> maps, bool y_log) {
       values.take(cell.y);
     }
   const double room = 0.06 * std::max(values.high - values.low, 1e-3 * values.high);
-  const double low = y_log ? values.low / 1.2 : values.low - room, high = y_log ? values.high * 1.2 : values.high + room;
+  const double low = y_log ? values.low / 1.2 : values.low - room;
+  const double high = y_log ? values.high * 1.2 : values.high + room;
   return fmt::format("set logscale {}\nset xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\nset xlabel 'dt/t_c'\n"
                      "set format x '%g'\nset format y '%g'\n",
                      y_log ? "xy" : "x", steps.low / 1.2, 1.2 * steps.high, low, high);
@@ -116,8 +110,8 @@ void plot_stability(std::span<const Row> rows, const PlotSpec& plot, std::span<c
       "spacing screen {:.3f},{:.3f}\n",
       lines, columns, quoted(plot.title.empty() ? title : plot.title), 0.22 / (x + 0.35), 0.48 / (y + 0.45),
       1.0 - 0.36 / (y + 0.45), 0.16 / x, 0.30 / y);
-  script += "set border 3 linecolor '#404040'\nset tics nomirror out\nset grid linetype 1 linecolor '#E4E4E4' linewidth "
-            "0.6\nunset key\n" +
+  script += "set border 3 linecolor '#404040'\nset tics nomirror out\nset grid linetype 1 linecolor '#E4E4E4' "
+            "linewidth 0.6\nunset key\n" +
             axes_script(maps, plot.y_log);
   for (std::size_t k = 0; k < maps.size(); ++k) {
     if (k % columns == 1) script += "set ylabel ''\n";

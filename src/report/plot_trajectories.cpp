@@ -13,6 +13,7 @@
 #include "plot_labels.hpp"
 #include "plot_thin.hpp"
 #include "sigmasweep/errors.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -76,31 +77,75 @@ std::string panel_title(std::size_t number, const Row& row, std::span<const std:
   return fmt::format("({}) {}", static_cast<char>('a' + number), words);
 }
 
-std::string bead_line(const Trajectory& t, std::size_t bead, Prefix time, Prefix height, double width, double range) {
-  std::vector<Point> points;
-  for (std::size_t s = 0; s < t.samples(); ++s)
-    points.push_back({t.time[s] / time.factor, t.z[s * t.beads() + bead] / height.factor});
-  std::string out;
-  const auto line = thinned(points, width, range, invisible);
-  if (line.empty()) return "NaN NaN\nend_of_line\n";
-  for (const Point& p : line)
-    fmt::format_to(std::back_inserter(out), "{:.6g} {:.6g}\n", p.x, p.y);
-  return out + "end_of_line\n";
+/// What is drawn to the right: time, or of vibrated columns the number of periods, or its fraction.
+struct TimeAxis {
+  std::string label;
+  double unit;    ///< s
+  bool is_phase;
+  double width;   ///< in units
+  double operator()(double t) const { return is_phase ? t / unit - std::floor(t / unit) : t / unit; }
+};
+
+TimeAxis time_axis(const Panel& panel, bool by_phase) {
+  const Parameters& p = panel.row.parameters;
+  const double longest = largest(panel.trajectory.time);
+  if (p.geometry == Geometry::column) {
+    const Prefix prefix = prefix_for(longest);
+    return {fmt::format("{{/:Italic t}} ({}s)", prefix.name), prefix.factor, false, longest / prefix.factor};
+  }
+  if (by_phase) return {"phase {/:Italic ωt}/2π", 1.0 / p.frequency, true, 1.0};
+  return {"{/:Italic t} (periods)", 1.0 / p.frequency, false, longest * p.frequency};
 }
 
-std::string panel_script(const Panel& panel, std::size_t number, std::span<const std::string> differ) {
+/// A line in data lines of gnuplot's, with a gap where it begins again at the left.
+std::string line_data(std::span<const Point> points, double width, double range) {
+  std::string out;
+  for (std::size_t from = 0, to = 0; from < points.size(); from = to) {
+    for (to = from + 1; to < points.size() && points[to].x >= points[to - 1].x;) ++to;
+    const auto line = thinned(points.subspan(from, to - from), width, range, invisible);
+    if (!out.empty() && !line.empty()) out += "\n";
+    for (const Point& p : line) fmt::format_to(std::back_inserter(out), "{:.6g} {:.6g}\n", p.x, p.y);
+  }
+  return (out.empty() ? "NaN NaN\n" : out) + "end_of_line\n";
+}
+
+std::vector<Point> bead_line(const Trajectory& t, std::size_t bead, const TimeAxis& time, Prefix height) {
+  std::vector<Point> points;
+  for (std::size_t s = 0; s < t.samples(); ++s)
+    points.push_back({time(t.time[s]), t.z[s * t.beads() + bead] / height.factor});
+  return points;
+}
+
+std::vector<Point> plate_line(const Parameters& p, const TimeAxis& time, Prefix height) {
+  constexpr int pieces = 100;  // a period
+  const int all = static_cast<int>(std::min(std::ceil(pieces * time.width), 1e5));
+  std::vector<Point> points;
+  for (int k = 0; k <= all; ++k) {
+    const double x = time.width * k / all;
+    points.push_back({x, plate_height(p, x * time.unit) / height.factor});
+  }
+  return points;
+}
+
+std::string panel_script(const Panel& panel, std::size_t number, std::span<const std::string> differ, bool by_phase) {
   const Trajectory& t = panel.trajectory;
-  const Prefix time = prefix_for(largest(t.time)), height = prefix_for(largest(t.z));
-  const double width = largest(t.time) / time.factor, range = std::max(largest(t.z) / height.factor, 1e-300);
+  const TimeAxis time = time_axis(panel, by_phase);
+  const Prefix height = prefix_for(largest(t.z));
+  const double width = time.width, range = std::max(largest(t.z) / height.factor, 1e-300);
   std::string out = fmt::format("set title {}\n", quoted(panel_title(number, panel.row, differ)));
-  out += fmt::format("set xlabel '{{/:Italic t}} ({}s)'\nset ylabel '{{/:Italic z_i}} ({}m)'\n", time.name,
-                     height.name);
+  out += fmt::format("set xlabel '{}'\nset ylabel '{{/:Italic z_i}} ({}m)'\n", time.label, height.name);
   out += fmt::format("set xrange [0:{:.6g}]\nset xtics {:.6g}\n", width, step_of(width));
   const bool empty = std::ranges::none_of(t.z, [](double z) { return std::isfinite(z); });
   out += empty ? "set yrange [0:1]\n" : "set yrange [*:*]\n";  // gnuplot refuses an axis without a number
   std::string plots;
+  if (panel.row.parameters.geometry == Geometry::vibrated_column) {
+    out += fmt::format("$plate{} << end_of_line\n", number) +
+           line_data(plate_line(panel.row.parameters, time, height), width, range);
+    plots = fmt::format("plot $plate{} using 1:2 with lines linewidth 3 linecolor '#909090' notitle", number);
+  }
   for (std::size_t bead = 0; bead < t.beads(); ++bead) {
-    out += fmt::format("$panel{}_{} << end_of_line\n", number, bead) + bead_line(t, bead, time, height, width, range);
+    out += fmt::format("$panel{}_{} << end_of_line\n", number, bead) +
+           line_data(bead_line(t, bead, time, height), width, range);
     plots += fmt::format("{} $panel{}_{} using 1:2 with lines linewidth 1.4 linecolor '{}' notitle",
                          plots.empty() ? "plot" : ",", number, bead, colour(bead, t.beads()));
   }
@@ -118,17 +163,18 @@ void require_room_for(std::size_t panels) {
 }
 
 void plot_trajectories(std::span<const Panel> panels, std::size_t columns, std::span<const std::string> differ,
-                       const std::string& title, const std::string& path) {
+                       const std::string& title, const std::string& path, bool by_phase) {
   require_room_for(panels.size());
   const Form form = form_of(path);
   columns = std::clamp<std::size_t>(columns, 1, std::min<std::size_t>(panels.size(), 6));
   const std::size_t lines = (panels.size() + columns - 1) / columns;
-  std::string script = fmt::format("set encoding utf8\nset terminal {}\n", panels_terminal(form, 330.0 * double(columns), 60.0 + 280.0 * double(lines)));
+  const std::string terminal = panels_terminal(form, 330.0 * double(columns), 60.0 + 280.0 * double(lines));
+  std::string script = fmt::format("set encoding utf8\nset terminal {}\n", terminal);
   script += fmt::format("set multiplot layout {},{} rowsfirst title {} noenhanced\n", lines, columns, quoted(title));
   script +=
       "unset key\nset rmargin 4\nset border 3 linecolor '#404040'\nset tics nomirror out\n"
       "set xzeroaxis linetype 1 linecolor '#A0A0A0' linewidth 0.8\n";
-  for (std::size_t k = 0; k < panels.size(); ++k) script += panel_script(panels[k], k, differ);
+  for (std::size_t k = 0; k < panels.size(); ++k) script += panel_script(panels[k], k, differ, by_phase);
   run_gnuplot(script + "unset multiplot\n", path);
 }
 

@@ -169,14 +169,14 @@ double time_once(const Setting& setting) {
 }
 
 /// Round robin, so that what disturbs the machine hits all settings alike. The round for the errors was the warm-up;
-/// where it took longer than the spec allows, it also was the measurement.
+/// where it was too long to be repeated, it also was the measurement.
 void measure_times(std::vector<Setting>& settings, const PrecisionSpec& spec) {
   for (Setting& s : settings)
-    if (s.errors_took > spec.seconds) s.row.run_time = s.errors_took / static_cast<double>(s.row.tuples);
+    if (s.errors_took > spec.repeat_seconds) s.row.run_time = s.errors_took / static_cast<double>(s.row.tuples);
   for (std::uint64_t round = 0; round < spec.repeats; ++round)
     for (Setting& s : settings) {
-      if (s.row.tuples == 0 || s.errors_took > spec.seconds || static_cast<double>(round) * s.errors_took > spec.seconds)
-        continue;
+      const auto rounds_done = static_cast<double>(std::max<std::uint64_t>(round, 1));
+      if (s.row.tuples == 0 || rounds_done * s.errors_took > spec.repeat_seconds) continue;
       const double time = time_once(s) / static_cast<double>(s.row.tuples);
       if (!(s.row.run_time <= time)) s.row.run_time = time;
     }
@@ -207,8 +207,10 @@ double predicted_precision_time(const Parameters& scene, const PrecisionSpec& sp
   double seconds = 2.0 * spec.seconds;
   for (const Setting& setting : settings_of(scene, 0, spec)) {
     const double tuple = predicted_alone(setting.row.parameters);
-    const double all = tuple * static_cast<double>(spec.tuples * (1 + spec.repeats));
-    if (tuple <= spec.longest) seconds += std::max(tuple, std::min(all, 2.0 * spec.seconds));
+    const double all = tuple * static_cast<double>(spec.tuples), repeats = all * static_cast<double>(spec.repeats);
+    if (tuple > spec.longest) continue;
+    seconds += std::max(tuple, std::min(all, spec.seconds));
+    if (all <= spec.repeat_seconds) seconds += std::min(repeats, 2.0 * spec.repeat_seconds);
   }
   return seconds;
 }

@@ -17,6 +17,8 @@ namespace {
 /// References that differ by more than this are no references.
 constexpr double chaos = 1e-9;
 constexpr double settle = 1e-19;
+/// About ten seconds of each: what takes longer is chaotic, and no reference.
+constexpr std::uint64_t most_contacts_moved = 10'000'000, most_modes = 300'000'000;
 
 using Reference = std::function<Answer(const Parameters&)>;
 
@@ -33,12 +35,12 @@ Answer answer(const Outcome<Real>& outcome, const Column<Real>& column) {
 template <class Real>
 Answer by_series(const Parameters& p) {
   const Column<Real> column = reduced_column<Real>(p);
-  return answer<Real>(exact_collision(column, {.settle = settle}), column);
+  return answer<Real>(exact_collision(column, {.settle = settle, .work_limit = most_contacts_moved}), column);
 }
 
 Answer by_modes(const Parameters& p) {
   const auto column = reduced_column<long double>(p);
-  return answer(normal_modes_collision(column, {.settle = settle}), column);
+  return answer(normal_modes_collision(column, {.settle = settle, .work_limit = most_modes}), column);
 }
 
 Reference by_steps(double accuracy) {
@@ -55,7 +57,7 @@ struct Pair {
 Pair references_for(const Parameters& p) {
   if (!exponents(p).linear()) return {by_steps(1e-17), by_steps(1e-14), false, false};
   if (p.width > 0.0) return {by_series<long double>, by_series<Quad>, true, false};
-  return {by_modes, by_series<Quad>, true, true};
+  return {by_series<long double>, by_modes, false, true};
 }
 
 }  // namespace

@@ -5,25 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include "plot_coordinate.hpp"
 #include "plot_labels.hpp"
 #include "sigmasweep/errors.hpp"
+#include "sigmasweep/report/row_choice.hpp"
+#include "sigmasweep/report/stability.hpp"
 #include "sigmasweep/scene/law.hpp"
 #include "sigmasweep/solve/stability.hpp"
-#include "sigmasweep/sweep/where.hpp"
+#include "sigmasweep/sweep/usage.hpp"
 
 namespace sigmasweep {
 namespace {
 
 constexpr double good = 0.01, fair = 0.1;
 constexpr int between = 4;  ///< limits from one y to the next, where they are cheap
-
-bool has_given_step(const Row& row) {
-  const Parameters& p = row.parameters;
-  return p.method == Method::md && p.integrator != Integrator::exact && p.steps_per_tc > 0.0;
-}
 
 Observed observed(const Collision& c) {
   if (c.status == Status::unstable) return Observed::unstable;
@@ -68,24 +64,31 @@ std::vector<StabilityLimit> limits_of(const std::map<double, Parameters>& by_y, 
 
 }  // namespace
 
+PlotSpec stability_plot(std::span<const PlotSpec> plots) {
+  if (const auto map = std::ranges::find(plots, PlotKind::stability, &PlotSpec::kind); map != plots.end()) return *map;
+  PlotSpec map;
+  map.kind = PlotKind::stability;
+  return map;
+}
+
 const Field& stability_axis(const PlotSpec& plot) {
   const std::string name = plot.y == PlotSpec{}.y ? "epsilon" : plot.y;
   const auto fields = parameter_fields();
   const auto found = std::ranges::find(fields, name, &Field::name);
   if (found == fields.end() || !enumerators(found->type).empty())
-    throw UsageError(fmt::format("plot: the y of a stability map must be a parameter that is a number, not '{}'", name));
+    throw UsageError(
+        fmt::format("plot: the y of a stability map must be a parameter that is a number, not '{}'", name));
   return *found;
 }
 
 std::vector<StabilityMap> stability_maps(std::span<const Row> rows, const PlotSpec& plot,
                                          std::span<const std::string> axes) {
   const Field& y = stability_axis(plot);
-  std::optional<Where> where;
-  if (!plot.where.empty()) where.emplace(plot.where, all_fields());
+  RowChoice chosen(plot.where);
   std::vector<StabilityMap> maps;
   std::vector<std::map<double, Parameters>> tuples;
   for (const Row& row : rows) {
-    if (!has_given_step(row) || (where && !(*where)(row))) continue;
+    if (!has_given_steps(row.parameters) || !chosen(row)) continue;
     std::string label, plain;
     for (const std::string& axis : axes) {
       if (axis == y.name || axis == "steps_per_tc") continue;

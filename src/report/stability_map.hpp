@@ -10,7 +10,7 @@
 /// What a stability study shows, before it is text or picture.
 namespace sigmasweep {
 
-/// How a row came out: |error of eps_eff| below 1 %, below 10 %, above; unstable; or without a result for other reasons.
+/// How a row came out: |error of eps_eff| below 1 %, below 10 %, above; unstable; or no result for other reasons.
 enum class Observed { good, fair, wrong, unstable, nothing };
 
 struct StabilityCell {

@@ -48,14 +48,18 @@ std::string quantile_line(const char* what, std::vector<double> values, Format f
 }
 
 std::string quantiles(std::span<const Row> rows) {
-  std::vector<double> errors, times;
+  std::vector<double> errors, height_errors, imbalances, times;
   for (const Row& row : rows) {
     errors.push_back(row.collision.eps_eff_error);
+    height_errors.push_back(row.collision.vibration.h_cm_error);
+    imbalances.push_back(std::abs(row.collision.vibration.imbalance));
     times.push_back(row.timing.run_time);
   }
   const auto scientific = [](double value) { return fmt::format("{:.1e}", value); };
   return fmt::format("  {:<15}{:>11}{:>11}{:>11}{:>11}\n", "", "median", "90 %", "99 %", "max") +
          quantile_line("eps_eff_error", std::move(errors), scientific) +
+         quantile_line("h_cm_error", std::move(height_errors), scientific) +
+         quantile_line("|imbalance|", std::move(imbalances), scientific) +
          quantile_line("run_time", std::move(times), readable_duration);
 }
 

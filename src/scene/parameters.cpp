@@ -8,11 +8,13 @@
 
 #include "sigmasweep/scene/calibration.hpp"
 #include "sigmasweep/scene/law.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 
 namespace sigmasweep {
 namespace {
 
-constexpr std::int64_t max_beads = 1'000'000;
+constexpr std::int64_t max_beads = 1'000'000, max_periods = 10'000'000;
+constexpr double max_alpha = 1e6;
 
 std::string refuse(std::string_view name, double value, std::string_view allowed) {
   return fmt::format("{} = {} is not allowed: it must be {}.", name, value, allowed);
@@ -21,6 +23,22 @@ std::string refuse(std::string_view name, double value, std::string_view allowed
 bool positive(double value) { return std::isfinite(value) && value > 0.0; }
 bool not_negative(double value) { return std::isfinite(value) && value >= 0.0; }
 bool within(double value, double low, double high) { return value >= low && value <= high; }  // false for NaN
+
+std::string why_plate_invalid(const Parameters& p) {
+  if (p.method == Method::md && p.integrator != Integrator::exact && !(p.steps_per_tc > 0.0))
+    return refuse("steps_per_tc", p.steps_per_tc, "given, > 0, for geometry = 'vibrated-column'");
+  if (!positive(p.gravity)) return refuse("gravity", p.gravity, "a finite acceleration > 0 m/s^2");
+  if (!positive(p.frequency)) return refuse("frequency", p.frequency, "finite and > 0 Hz");
+  if (!positive(p.alpha) || p.alpha > max_alpha)
+    return refuse("alpha", p.alpha, fmt::format("> 0 and <= {} (alpha = A0 (2 pi frequency)^2/gravity)", max_alpha));
+  if (!positive(p.A0)) return refuse("A0", p.A0, "a finite length > 0 m");
+  if (p.periods < 1 || p.periods > max_periods)
+    return fmt::format("periods = {} is not allowed: it must be a whole number from 1 to {}.", p.periods, max_periods);
+  if (p.transient < 0 || p.transient >= p.periods)
+    return fmt::format("transient = {} is not allowed: it must be a whole number from 0 to periods - 1 = {}.",
+                       p.transient, p.periods - 1);
+  return {};
+}
 
 }  // namespace
 
@@ -59,19 +77,36 @@ void give_pair(Parameters& p) {
 }
 
 /// One product for both ways: rows with the same s0, v0, tc get the same sigma to the bit. Nothing to divide when
-/// s0 = 0, so that a v0 tc too small for a double does no harm there.
+/// s0 = 0, so that a v0 tc too small for a double does no harm there. A vibrated column has no speed to measure gaps
+/// by.
 void give_gap(Parameters& p, Gap given) {
   const double unit_length = p.v0 * p.tc;
-  if (given == Gap::s0)
+  if (given == Gap::s0 || p.geometry == Geometry::vibrated_column)
     p.sigma = p.s0 == 0.0 ? 0.0 : p.s0 / unit_length;
   else
     p.s0 = p.sigma * unit_length;
+}
+
+void give_plate(Parameters& p) {
+  if (p.geometry != Geometry::vibrated_column) return;
+  const double omega = 2.0 * std::numbers::pi * p.frequency, unit = p.gravity / (omega * omega);
+  if (!(p.A0 > 0.0))
+    p.A0 = p.alpha * unit;
+  else if (p.alpha * unit != p.A0)
+    p.alpha = p.A0 / unit;
+}
+
+/// In periods first, of which the whole ones do not count: as exact after many of them.
+double plate_height(const Parameters& p, double t) {
+  const double turns = p.frequency * t;
+  return p.A0 * std::sin(2.0 * std::numbers::pi * (turns - std::floor(turns)));
 }
 
 Parameters complete(Parameters parameters, Gap given) {
   give_material(parameters);
   give_pair(parameters);
   give_gap(parameters, given);
+  give_plate(parameters);
   return parameters;
 }
 
@@ -97,6 +132,7 @@ std::string why_invalid(const Parameters& p) {
   if (p.steps_per_tc != 0.0 && !within(p.steps_per_tc, 2.0, 1e6))
     return refuse("steps_per_tc", p.steps_per_tc, "from 2 to 1e6");
   if (!within(p.tolerance, 1e-15, 0.1)) return refuse("tolerance", p.tolerance, "from 1e-15 to 0.1");
+  if (p.geometry == Geometry::vibrated_column) return why_plate_invalid(p);
   return {};
 }
 

@@ -4,8 +4,8 @@
 
 #include "sigmasweep/scene/law.hpp"
 
-/// The laws of a closed contact, F = K x^(1+beta) + C x^gamma u, x >= 0 its overlap and u = x' (Sec. IV B), each without
-/// branches, so that loops over contacts vectorise. `elastic` is twice the elastic energy, 2 K x^(2+beta)/(2+beta).
+/// The laws of a closed contact, F = K x^(1+beta) + C x^gamma u, x >= 0 its overlap and u = x' (Sec. IV B), each
+/// without branches, so that loops vectorise. `elastic`: twice the elastic energy, 2 K x^(2+beta)/(2+beta).
 namespace sigmasweep {
 
 struct LinearForce {

@@ -6,8 +6,8 @@
 
 namespace sigmasweep {
 
-/// A law's forces for many contacts at once, continued to overlaps x < 0 by those at 0, as a step that ends in a closing
-/// or an opening needs them; contacts that are open have K = C = 0.
+/// A law's forces for many contacts at once, continued to overlaps x < 0 by those at 0, as a step that ends in a
+/// closing or an opening needs them; contacts that are open have K = C = 0.
 template <class Real>
 class ContactForces {
  public:

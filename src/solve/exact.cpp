@@ -91,8 +91,9 @@ double gain() {
 }
 
 /// The error bar from two twins of the column, whose dashpots, gaps and masses differ from its own in the thirteenth
-/// digit, or the fourteenth for tolerances that need it. In a long tail of contacts that carry next to no energy a linearised disturbance grows without end, and says
-/// nothing; the twins go their own way there, too, but end where the energy lets them.
+/// digit, or the fourteenth for tolerances that need it. In a long tail of contacts that carry next to no energy a
+/// linearised disturbance grows without end, and says nothing; the twins go their own way there, too, but end where the
+/// energy lets them.
 double spread(const Parameters& p, const ExactOptions& options, double eps_eff) {
   double largest = 0.0;
   const double little = std::clamp(0.1 * p.tolerance, 1e-14, 1e-13);
@@ -135,7 +136,8 @@ Collision simulate_exact(const Parameters& p, Patience* patience) {
   if (wanted < gain<long double>() && effort.work <= long_double_limit &&
       keep_better(computed_in<long double>(p, options, effort)))
     return c;
-  if (wanted < gain<Quad>() && effort.work <= quad_limit && keep_better(computed_in<Quad>(p, options, effort))) return c;
+  if (wanted < gain<Quad>() && effort.work <= quad_limit && keep_better(computed_in<Quad>(p, options, effort)))
+    return c;
   c.eps_eff_error = std::min(1.0, c.eps_eff_error);
   c.status = Status::tolerance_missed;
   return c;

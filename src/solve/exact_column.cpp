@@ -4,33 +4,25 @@
 
 namespace sigmasweep {
 
-template <class Real, int Disturbances, bool Uneven, int Order>
-ExactColumn<Real, Disturbances, Uneven, Order>::ExactColumn(const Column<Real>& column, const ExactOptions& options)
-    : column_(column),
-      options_(options),
-      N_(std::size_t(column.N)),
-      laws_(column),
-      steps_(column),
-      x_(motion_[0].x),
-      u_(motion_[0].u),
-      at_(N_, Real(0)),
-      closed_(N_, 0),
-      group_of_(N_, none),
-      events_(N_) {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+ExactColumn<Real, Disturbances, Uneven, Order, Ground>::ExactColumn(const Column<Real>& column,
+                                                                    const ExactOptions& options,
+                                                                    const Ground& ground)
+    : Events(column.contacts(), ground), column_(column), options_(options), laws_(column), steps_(column) {
   if (options_.event_limit == 0) options_.event_limit = 100'000 + 20 * N_ * N_;
-  for (Motion& motion : motion_) {
-    motion.x.assign(N_, Real(0));
-    motion.u.assign(N_, Real(0));
-  }
   for (std::size_t k = 1; k < N_; ++k) x_[k] = -column.initial_gap(k);  // the wall's only shifts the clock
-  u_[0] = column.speed;
-  do closed_[closed_count_++] = 1;
-  while (closed_count_ < N_ && x_[closed_count_] == Real(0));
+  if constexpr (Ground::moves) {  // at rest on the plate, or above it
+    x_[0] = -column.initial_gap(0);
+  } else {
+    u_[0] = column.speed;
+    closed_[closed_count_++] = 1;
+  }
+  while (closed_count_ < N_ && x_[closed_count_] == Real(0)) closed_[closed_count_++] = 1;
   disturb_gaps();
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::start_from(std::span<const Real> rates) {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::start_from(std::span<const Real> rates) {
   closed_.assign(N_, 0);
   closed_count_ = 0;
   x_[0] = -column_.initial_gap(0);
@@ -38,8 +30,8 @@ void ExactColumn<Real, Disturbances, Uneven, Order>::start_from(std::span<const 
 }
 
 /// The gaps are rounded numbers too: all of them the same way, as sigma is, or each for itself.
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::disturb_gaps() {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::disturb_gaps() {
   const auto& gaps = column_.gaps;
   const Real widest = gaps.empty() ? column_.gap : *std::max_element(gaps.begin(), gaps.end());
   for (int m = 1; m < motions; ++m) {
@@ -54,16 +46,15 @@ void ExactColumn<Real, Disturbances, Uneven, Order>::disturb_gaps() {
 /// The clock starts at the first contact with the wall, after a flight of gap/speed in which nothing else happens.
 /// Beads that touch from the wall on are closed contacts. Others that touch are open ones with x = 0 and u = 0, and
 /// close as soon as something pushes.
-template <class Real, int Disturbances, bool Uneven, int Order>
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 template <class Watcher>
-Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order>::run(Watcher& watcher) {
+Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run(Watcher& watcher) {
   Outcome<Real> outcome;
-  regroup({0, N_ - 1}, Real(0));
+  this->regroup({0, N_ - 1}, Real(0));
 
   const std::uint64_t step_limit = 8 * options_.event_limit;
   for (std::uint64_t step = 0;; ++step) {
-    const std::size_t next = events_.first();
-    Real t = events_.time_of(next);
+    Real t = events_.time_of(events_.first());
     if constexpr (Watcher::watches) {
       watcher.until(epoch_ + t, [this](const Real& when, auto x, auto u) { state_at(when - epoch_, x, u); });
       if (watcher.done()) break;
@@ -80,14 +71,11 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order>::run(Watcher& watch
       outcome.status = Status::time_limit;
       break;
     }
-    if (t > longest_clock && idle_.size() == groups_.size()) {
-      begin_anew(t);
+    if (t > longest_clock && this->nothing_touches()) {
+      this->begin_anew(t);
       t = Real(0);
     }
-    if (group_of_[next] != none)
-      finish_step(group_of_[next]);
-    else
-      close_gap(next, t);
+    this->advance(t);
     if (settled(step)) {
       outcome.end = End::settled;
       break;
@@ -100,53 +88,16 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order>::run(Watcher& watch
   return outcome;
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order>
-Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order>::run() {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run() {
   Nobody nobody;
   return run(nobody);
 }
 
-/// Where nothing touches, time begins anew: flights may be so long that a clock which counts them all could not tell the
-/// moments of a contact apart.
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::begin_anew(const Real& t) {
-  for (std::size_t k = 0; k < N_; ++k) {
-    release(k, t);
-    at_[k] = Real(0);
-    schedule_gap(k);
-  }
-  epoch_ += t;
-}
-
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::close_gap(std::size_t k, const Real& t) {
-  Range range = release(k, t);
-  if (k > 0) range.lo = release(k - 1, t).lo;
-  if (k + 1 < N_) range.hi = release(k + 1, t).hi;
-  change_contact(k, t);
-  regroup(range, t);
-}
-
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::finish_step(int id) {
-  Group& group = *groups_[std::size_t(id)];
-  const Real t = group.start + group.length;
-  move_group(group, group.length, true);
-  group.start = t;
-  if (!group.event) {
-    begin_step(id);
-    return;
-  }
-  change_contact(group.contact, t);
-  const Range range{group.lo, group.hi};
-  dissolve(id, t);
-  regroup(range, t);
-}
-
 /// An open contact closes or a closed one opens, at overlap exactly 0. A disturbed column does so earlier or later by
 /// -dx_k/u_k, and for so long feels, or lacks, the force C u_k: its rates jump by what that does.
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::change_contact(std::size_t k, const Real& t) {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::change_contact(std::size_t k, const Real& t) {
   for (int m = 1; m < motions; ++m) {
     auto& u = motion_[m].u;
     const Real handed_on = laws_.dashpot(k) * motion_[m].x[k];
@@ -166,37 +117,47 @@ void ExactColumn<Real, Disturbances, Uneven, Order>::change_contact(std::size_t 
   if (k == 0) wall_opened_ = epoch_ + t;
 }
 
-/// Brings contact k up to time t and out of its group, if it is in one. Returns what has been released with it.
-template <class Real, int Disturbances, bool Uneven, int Order>
-auto ExactColumn<Real, Disturbances, Uneven, Order>::release(std::size_t k, const Real& t) -> Range {
-  if (const int id = group_of_[k]; id != none) {
-    const Range range{groups_[std::size_t(id)]->lo, groups_[std::size_t(id)]->hi};
-    dissolve(id, t);
-    return range;
-  }
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+Real ExactColumn<Real, Disturbances, Uneven, Order, Ground>::closes_in(std::size_t k) const {
+  if constexpr (Ground::moves)
+    if (k == 0) return ground_.landing(state(0), at_[0]);
+  return this->closes_uniformly(k, Real(0));
+}
+
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::fly(std::size_t k, const Real& t) {
   const Real elapsed = t - at_[k];
-  if (elapsed != Real(0)) {
-    for (Motion& motion : motion_) motion.x[k] += motion.u[k] * elapsed;
-    using std::abs;
-    const Real rounded = abs(u_[k]) * t + abs(x_[k]);  // on the clock, and what the overlap was the sum of
-    for (int m = 1; m < motions; ++m)
-      motion_[m].x[k] += Real(noise_.next()) * std::numeric_limits<Real>::epsilon() * rounded;
-    at_[k] = t;
-  }
-  return {k, k};
+  if constexpr (Ground::moves)
+    if (k == 0) {
+      const State now = ground_.flight(state(0), at_[0], elapsed);
+      x_[0] = now.x;
+      u_[0] = now.u;
+      return;
+    }
+  for (Motion& motion : motion_) motion.x[k] += motion.u[k] * elapsed;
+  using std::abs;
+  const Real rounded = abs(u_[k]) * t + abs(x_[k]);  // on the clock, and what the overlap was the sum of
+  for (int m = 1; m < motions; ++m)
+    motion_[m].x[k] += Real(noise_.next()) * std::numeric_limits<Real>::epsilon() * rounded;
 }
 
 /// x and u of the group's contacts at `elapsed` after the start of its step.
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::move_group(Group& group, const Real& elapsed, bool whole_step) {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_group(Group& group, const Real& elapsed,
+                                                                           bool whole_step) {
+  if constexpr (Ground::moves) {
+    this->work_done_ += work_of(group, elapsed);
+    if (group.resting) return move_resting(group, elapsed);
+  }
   if (group.binary)
     move_binary(group, elapsed, whole_step);
   else
     move_taylor(group, elapsed, whole_step);
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::move_taylor(Group& group, const Real& elapsed, bool whole_step) {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_taylor(Group& group, const Real& elapsed,
+                                                                            bool whole_step) {
   const std::size_t n = group.hi - group.lo + 1;
   const Real s = whole_step ? group.scaled : Real(elapsed / group.longest);
   for (int m = 0; m < motions; ++m)
@@ -208,8 +169,9 @@ void ExactColumn<Real, Disturbances, Uneven, Order>::move_taylor(Group& group, c
     if (closed_[group.lo + i]) x_max_ = group.taylor.deepest(i, s, x_max_);
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::move_binary(Group& group, const Real& elapsed, bool whole_step) {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_binary(Group& group, const Real& elapsed,
+                                                                            bool whole_step) {
   const std::size_t k = group.contact;
   const auto& contact = laws_.binary(k);
   const State entry = state(k);
@@ -231,8 +193,8 @@ void ExactColumn<Real, Disturbances, Uneven, Order>::move_binary(Group& group, c
 }
 
 /// A rounding error of the state of contact i, whose parts are of the given magnitude.
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::disturb(std::size_t i, const State& magnitude) {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::disturb(std::size_t i, const State& magnitude) {
   const Real rounding = local_error();
   for (int m = 1; m < motions; ++m) {
     motion_[m].x[i] += Real(noise_.next()) * rounding * magnitude.x;
@@ -240,74 +202,25 @@ void ExactColumn<Real, Disturbances, Uneven, Order>::disturb(std::size_t i, cons
   }
 }
 
-/// Ends a group; if its step is not over yet, at a time t within it.
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::dissolve(int id, const Real& t) {
-  Group& group = *groups_[std::size_t(id)];
-  if (group.start != t) move_group(group, std::min(std::max(Real(t - group.start), Real(0)), group.length), false);
-  for (std::size_t k = group.lo; k <= group.hi; ++k) {
-    group_of_[k] = none;
-    at_[k] = t;
-  }
-  events_.remove(group.lo);
-  idle_.push_back(id);
-}
-
-/// Sorts the contacts of `range`, all of them free of groups and at time t, into groups and free gaps, taking in
-/// neighbours that a closed contact at the border touches.
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::regroup(Range range, const Real& t) {
-  while (closed_[range.lo] && range.lo > 0) range.lo = release(range.lo - 1, t).lo;
-  while (closed_[range.hi] && range.hi + 1 < N_) range.hi = release(range.hi + 1, t).hi;
-  for (std::size_t k = range.lo; k <= range.hi; ++k) {
-    if (!closed_[k] && !(k < range.hi && closed_[k + 1])) {
-      schedule_gap(k);
-      continue;
-    }
-    std::size_t end = k;  // the group's last contact: an open one with no closed one after it, or the border
-    while (end < range.hi && (closed_[end] || closed_[end + 1])) ++end;
-    make_group({k, end}, t);
-    k = end;
-  }
-}
-
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::make_group(Range range, const Real& t) {
-  if (idle_.empty()) {
-    idle_.push_back(int(groups_.size()));
-    groups_.push_back(std::make_unique<Group>());
-  }
-  const int id = idle_.back();
-  idle_.pop_back();
-  Group& group = *groups_[std::size_t(id)];
-  group.lo = range.lo;
-  group.hi = range.hi;
-  group.start = t;
-  group.prepared = false;
-  for (std::size_t k = range.lo; k <= range.hi; ++k) {
-    group_of_[k] = id;
-    if (k != range.lo) events_.remove(k);
-  }
-  begin_step(id);
-}
-
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::begin_step(int id) {
-  Group& group = *groups_[std::size_t(id)];
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::step_group(Group& group) {
   for (std::size_t k = group.lo; k <= group.hi; ++k) {
     // Rounding may leave a contact on the wrong side of 0.
     if (closed_[k] ? x_[k] < 0 : x_[k] > 0) x_[k] = Real(0);
   }
+  if constexpr (Ground::moves) {
+    group.resting = begin_rest(group);
+    if (group.resting) return;
+  }
   group.binary = begin_binary(group);
   if (!group.binary) begin_taylor(group);
-  events_.set(group.lo, group.start + group.length);
 }
 
 /// A lone closed contact that nothing can disturb before it opens is followed to its end in one closed formula. As
 /// x >= 0, each neighbouring gap stays below x_gap + u_gap t + push_bound(t), which is linear in t.
-template <class Real, int Disturbances, bool Uneven, int Order>
-bool ExactColumn<Real, Disturbances, Uneven, Order>::begin_binary(Group& group) {
-  if (group.hi - group.lo > 2) return false;
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_binary(Group& group) {
+  if (group.hi - group.lo > 2 || (Ground::moves && group.lo == 0)) return false;
   std::size_t k = group.lo;
   while (!closed_[k]) ++k;
   if (group.lo + 1 < k || k + 1 < group.hi) return false;
@@ -329,8 +242,8 @@ bool ExactColumn<Real, Disturbances, Uneven, Order>::begin_binary(Group& group) 
   return true;
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::begin_taylor(Group& group) {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_taylor(Group& group) {
   const std::size_t n = group.hi - group.lo + 1;
   auto& taylor = group.taylor;
   if (!group.prepared) {
@@ -346,7 +259,8 @@ void ExactColumn<Real, Disturbances, Uneven, Order>::begin_taylor(Group& group) 
     group.prepared = true;
   }
   work_ += n;
-  const Real h = group.longest;
+  Real h = group.longest;
+  if constexpr (Ground::moves) drive(group, h);
   for (int m = 0; m < motions; ++m)
     taylor.start(m, std::span(motion_[m].x).subspan(group.lo, n), std::span(motion_[m].u).subspan(group.lo, n), h);
   taylor.expand(h);
@@ -357,17 +271,9 @@ void ExactColumn<Real, Disturbances, Uneven, Order>::begin_taylor(Group& group) 
   if (crossing) group.contact = group.lo + crossing->contact;
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::schedule_gap(std::size_t k) {
-  if (u_[k] > 0)
-    events_.set(k, at_[k] + std::max(Real(-x_[k]), Real(0)) / u_[k]);
-  else
-    events_.remove(k);
-}
-
 /// Looked at now and then: after some contacts, or after many steps in which overdamped contacts creep.
-template <class Real, int Disturbances, bool Uneven, int Order>
-bool ExactColumn<Real, Disturbances, Uneven, Order>::settled(std::uint64_t step) {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::settled(std::uint64_t step) {
   if (contacts_ < checked_at_ + std::max<std::size_t>(5, N_ / 8) && step < checked_step_ + 1000) return false;
   checked_at_ = contacts_;
   checked_step_ = step;
@@ -376,32 +282,23 @@ bool ExactColumn<Real, Disturbances, Uneven, Order>::settled(std::uint64_t step)
   return now.remaining < Real(options_.settle);
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order>
-auto ExactColumn<Real, Disturbances, Uneven, Order>::balance() const -> Balance {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+auto ExactColumn<Real, Disturbances, Uneven, Order, Ground>::balance() const -> Balance {
   const EnergyBalance<Real> energy(column_, closed_, x_, velocities(0));
   Balance now{Real(0), energy.remaining()};
   for (int m = 1; m < motions; ++m)
-    now.disturbance = std::max(now.disturbance, energy.change(motion_[m].x, velocities(m)));
+    now.disturbance = std::max(now.disturbance, energy.change(motion_[m].x, velocities(std::size_t(m))));
   return now;
 }
 
 /// At any moment sqrt(E/E_0) is off by its disturbance, and from there both the true and the computed one fall by no
 /// more than what remains: small disturbances late in a collision may grow large, but have little left to act on.
-template <class Real, int Disturbances, bool Uneven, int Order>
-Real ExactColumn<Real, Disturbances, Uneven, Order>::error(double safety) const {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+Real ExactColumn<Real, Disturbances, Uneven, Order, Ground>::error(double safety) const {
   const Balance end = balance();
   Real least = Real(safety) * end.disturbance + end.remaining;
   for (const Balance& b : balances_) least = std::min(least, Real(Real(safety) * b.disturbance + b.remaining));
   return least;
-}
-
-/// v_i from the rates: u_0 = -v_1 at the wall, u_k = v_{k-1} - v_k between beads.
-template <class Real, int Disturbances, bool Uneven, int Order>
-std::vector<Real> ExactColumn<Real, Disturbances, Uneven, Order>::velocities(int motion) const {
-  std::vector<Real> v(N_);
-  Real sum = 0;
-  for (std::size_t k = 0; k < N_; ++k) v[k] = sum -= motion_[std::size_t(motion)].u[k];
-  return v;
 }
 
 #define SIGMASWEEP_INSTANTIATE(Real)          \
@@ -415,6 +312,8 @@ SIGMASWEEP_INSTANTIATE(Quad)
 #undef SIGMASWEEP_INSTANTIATE
 template class ExactColumn<double, 1, false, low_order>;
 template class ExactColumn<double, 1, true, low_order>;
+template class ExactColumn<double, 0, false, TaylorOrder<double>::value, Plate>;
+template class ExactColumn<double, 0, true, TaylorOrder<double>::value, Plate>;
 template Outcome<double> ExactColumn<double, 0, false>::run(Samples&);
 template Outcome<double> ExactColumn<double, 0, true>::run(Samples&);
 

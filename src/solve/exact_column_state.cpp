@@ -5,17 +5,27 @@
 namespace sigmasweep {
 
 /// Overlaps and rates of all contacts at a time between the last event and the next; changes nothing.
-template <class Real, int Disturbances, bool Uneven, int Order>
-void ExactColumn<Real, Disturbances, Uneven, Order>::state_at(const Real& t, std::span<Real> x, std::span<Real> u) const {
+template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::state_at(const Real& t, std::span<Real> x,
+                                                                        std::span<Real> u) const {
   for (std::size_t k = 0; k < N_; ++k) {
-    if (group_of_[k] == none) {
-      x[k] = x_[k] + u_[k] * (t - at_[k]);
-      u[k] = u_[k];
+    if (group_of_[k] == Events::none) {
+      State now{x_[k] + u_[k] * (t - at_[k]), u_[k]};
+      if constexpr (Ground::moves)
+        if (k == 0) now = ground_.flight(state(0), at_[0], t - at_[0]);
+      x[k] = now.x;
+      u[k] = now.u;
       continue;
     }
-    const Group& group = *groups_[std::size_t(group_of_[k])];
+    const Group& group = Events::group(group_of_[k]);
     const Real elapsed = std::min(std::max(Real(t - group.start), Real(0)), group.length);
     const std::size_t n = group.hi - group.lo + 1, closed = group.contact;
+    if constexpr (Ground::moves)
+      if (group.resting) {
+        on_ground_.resting->evaluate(elapsed, x, u);
+        k = group.hi;
+        continue;
+      }
     if (!group.binary) {
       group.taylor.evaluate(0, elapsed / group.longest, x.subspan(group.lo, n), u.subspan(group.lo, n));
       k = group.hi;
@@ -34,7 +44,13 @@ void ExactColumn<Real, Disturbances, Uneven, Order>::state_at(const Real& t, std
   }
 }
 
-template void ExactColumn<double, 0, false>::state_at(const double&, std::span<double>, std::span<double>) const;
-template void ExactColumn<double, 0, true>::state_at(const double&, std::span<double>, std::span<double>) const;
+#define SIGMASWEEP_INSTANTIATE(...)                                                                \
+  template void ExactColumn<double, 0, __VA_ARGS__>::state_at(const double&, std::span<double>,    \
+                                                              std::span<double>) const;
+SIGMASWEEP_INSTANTIATE(false)
+SIGMASWEEP_INSTANTIATE(true)
+SIGMASWEEP_INSTANTIATE(false, TaylorOrder<double>::value, Plate)
+SIGMASWEEP_INSTANTIATE(true, TaylorOrder<double>::value, Plate)
+#undef SIGMASWEEP_INSTANTIATE
 
 }  // namespace sigmasweep

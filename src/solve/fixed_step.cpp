@@ -5,34 +5,13 @@
 #include <limits>
 #include <stdexcept>
 
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
-
-#include "contact_force.hpp"
 #include "energy_balance.hpp"
-#include "fixed_step_chain.hpp"
-#include "fixed_step_gear5.hpp"
-#include "fixed_step_rk4.hpp"
-#include "fixed_step_verlet.hpp"
+#include "fixed_step_laws.hpp"
 #include "samples.hpp"
 
 namespace sigmasweep {
 
 namespace {
-
-/// High derivatives fade to denormal numbers in free flight, on which the processor is about twenty times slower.
-class DenormalsAreZero {
-#if defined(__SSE2__)
- public:
-  DenormalsAreZero() { _mm_setcsr(before_ | 0x8040u); }  // flush to zero, denormals are zero
-  ~DenormalsAreZero() { _mm_setcsr(before_); }
-  DenormalsAreZero(const DenormalsAreZero&) = delete;
-
- private:
-  unsigned before_ = _mm_getcsr();
-#endif
-};
 
 /// Steps a scheme from the start to the end of a collision and keeps the record. Watcher: Nobody or Samples, with whose
 /// last sample it may end.
@@ -130,17 +109,15 @@ class Run {
     if constexpr (Watcher::watches) rates_before_.assign(scheme_.u(), scheme_.u() + chain_.contacts);
   }
 
-  /// Shows the watcher the steps just done: Hermite's cubic through overlaps and rates at both ends, and for the rates
-  /// themselves, which have a kink where a contact opens or closes, the straight line.
+  /// Shows the watcher the steps just done.
   void show(double steps) {
     if constexpr (Watcher::watches)
       watcher_.until(now_ * dt_, [&](double t, auto x, auto u) {
-        const double s = 1.0 - (now_ - t / dt_) / steps, r = 1.0 - s;
         for (std::size_t k = 0; k < chain_.contacts; ++k) {
-          const double u0 = rates_before_[k], u1 = scheme_.u()[k];
-          x[k] = r * r * ((1.0 + 2.0 * s) * before_[k] + s * steps * u0) +
-                 s * s * ((1.0 + 2.0 * r) * scheme_.x()[k] - r * steps * u1);
-          u[k] = (r * u0 + s * u1) / dt_;
+          const BetweenSteps now(1.0 - (now_ - t / dt_) / steps, steps, before_[k], rates_before_[k], scheme_.x()[k],
+                                 scheme_.u()[k]);
+          x[k] = now.x;
+          u[k] = now.u / dt_;
         }
       });
   }
@@ -232,20 +209,12 @@ Outcome<double> run(Watcher& watcher, const Column<double>& column, Integrator i
   throw std::invalid_argument("fixed_step_collision: not an integrator of fixed step");
 }
 
-/// Beads of equal mass have a kernel of their own with the linear law; with the others they are no special case.
 template <class Watcher>
 Outcome<double> watched_by(Watcher& watcher, const Column<double>& column, Integrator integrator, double dt,
                            const FixedStepOptions& options) {
-  const auto [beta, gamma] = column.exponents;
-  const auto with = [&]<class Force, bool Uneven>() {
+  return with_law(column, [&]<class Force, bool Uneven>() {
     return run<Chain<Force, Uneven>>(watcher, column, integrator, dt, options);
-  };
-  if (column.exponents.linear() && column.is_uniform()) return with.template operator()<LinearForce, false>();
-  if (column.exponents.linear()) return with.template operator()<LinearForce, true>();
-  if (beta == 0.5 && gamma == 0.0) return with.template operator()<HertzForce<0>, true>();
-  if (beta == 0.5 && gamma == 0.25) return with.template operator()<HertzForce<1>, true>();
-  if (beta == 0.5 && gamma == 0.5) return with.template operator()<HertzForce<2>, true>();
-  return with.template operator()<PowerForce, true>();
+  });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact_force.hpp"
+#include "plate.hpp"
 #include "sigmasweep/solve/column.hpp"
 
 namespace sigmasweep {
@@ -65,18 +66,31 @@ struct ChainCoupling<true> {
 /// The column's equation of motion for its overlaps x_k, k = 0 (the wall) to N-1, with u_k = x_k', coupled as above by
 /// the forces F_k of a law `Force`. Time is counted in steps here, so there is no dt in a scheme.
 /// The lanes beyond N have an overlap that no motion brings above 0, and so never a force.
-template <class Force, bool Uneven>
+/// Ground: on a plate the column starts at rest relative to it.
+template <class Force, bool Uneven, class Ground = FixedWall>
 struct Chain {
-  Chain(const Column<double>& column, double dt)
+  static constexpr bool driven = Ground::moves;
+
+  Chain(const Column<double>& column, double dt, const Ground& ground = {})
       : contacts(column.contacts()), blocks(Lanes::padded(contacts) / Lanes::width),
         force(column.exponents), coupling(column), K(contacts), C(contacts),
-        x(contacts, -std::numeric_limits<double>::max()), u(contacts) {
+        x(contacts, -std::numeric_limits<double>::max()), u(contacts), dt_(dt), ground_(ground) {
     for (std::size_t k = 0; k < contacts; ++k) {
       K[k] = column.spring(k) * dt * dt;
       C[k] = column.dashpot(k) * dt;
       x[k] = -column.initial_gap(k);
     }
-    u[0] = column.speed * dt;
+    if constexpr (!driven) u[0] = column.speed * dt;
+    if constexpr (driven && Uneven) coupling.below[0] = 1.0;  // for drive()
+  }
+
+  /// The time at the start of the next step, in steps since the plate's period began.
+  void set_time(double steps) requires driven { now_ = steps; }
+
+  /// The plate's load, `ahead` steps into the next one, as what comes from below in the acceleration of contact 0. To
+  /// be called after forces().
+  void drive(double* F, double ahead) const {
+    if constexpr (driven) F[-1] = ground_.load((now_ + ahead) * dt_) * dt_ * dt_ + (Uneven ? F[0] : 0.0);
   }
 
   /// F for the given overlaps and rates.
@@ -95,6 +109,10 @@ struct Chain {
   ChainCoupling<Uneven> coupling;
   Lanes K, C;
   Lanes x, u;  ///< at the start
+
+ private:
+  double dt_, now_ = 0.0;
+  Ground ground_;
 };
 
 }  // namespace sigmasweep

@@ -20,7 +20,14 @@ class Gear5 {
   explicit Gear5(const Chain& chain)
       : chain_(chain), r_{chain.x,               chain.u,               Lanes(chain.contacts),
                           Lanes(chain.contacts), Lanes(chain.contacts), Lanes(chain.contacts)},
-        F_(chain.contacts) {}
+        F_(chain.contacts) {
+    if constexpr (Chain::driven) {
+      chain.forces(x(), u(), F_.data());
+      chain.drive(F_.data(), 0.0);
+      const auto coupling = chain.coupling.view();
+      for (std::size_t k = 0; k < chain.contacts; ++k) r_[2][k] = 0.5 * coupling.acceleration(F_.data(), k);
+    }
+  }
 
   const double* x() const { return r_[0].data(); }
   const double* u() const { return r_[1].data(); }
@@ -48,6 +55,7 @@ class Gear5 {
       r4[k] += 5.0 * a5;
       F[k] = where_closed(force, K[k], C[k], r0[k], r1[k]);
     }
+    chain_.drive(F, 1.0);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
       const double D = 0.5 * coupling.acceleration(F, k) - r2[k];

@@ -30,6 +30,7 @@ class RungeKutta4 {
     double* a3 = a_[2].data();
     const auto coupling = chain_.coupling.view();
     chain_.forces(x, u, F);
+    chain_.drive(F, 0.0);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
       a1[k] = coupling.acceleration(F, k);
@@ -37,6 +38,7 @@ class RungeKutta4 {
       us[k] = u[k] + 0.5 * a1[k];
     }
     chain_.forces(xs, us, F);
+    chain_.drive(F, 0.5);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
       a2[k] = coupling.acceleration(F, k);
@@ -44,6 +46,7 @@ class RungeKutta4 {
       us[k] = u[k] + 0.5 * a2[k];
     }
     chain_.forces(xs, us, F);
+    chain_.drive(F, 0.5);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
       a3[k] = coupling.acceleration(F, k);
@@ -51,6 +54,7 @@ class RungeKutta4 {
       us[k] = u[k] + a3[k];
     }
     chain_.forces(xs, us, F);
+    chain_.drive(F, 1.0);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
       const double a4 = coupling.acceleration(F, k);

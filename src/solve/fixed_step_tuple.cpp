@@ -38,7 +38,7 @@ Collision exact_of(Parameters p, Patience* patience) {
   return simulate(p, patience);
 }
 
-/// Beads that meet one by one are stable where the closed column is not; what surely happens is that one meets the wall.
+/// Beads that meet one by one are stable where the closed column is not; what is sure is that one meets the wall.
 bool is_hopeless(const Parameters& p, Column<double> column) {
   if (!column.is_uniform()) return false;
   if (p.sigma > dense) column.N = 1;

@@ -12,7 +12,14 @@ template <class Chain>
 class Verlet {
  public:
   explicit Verlet(const Chain& chain)
-      : chain_(chain), x_(chain.x), u_(chain.u), a_(chain.contacts), predicted_(chain.contacts), F_(chain.contacts) {}
+      : chain_(chain), x_(chain.x), u_(chain.u), a_(chain.contacts), predicted_(chain.contacts), F_(chain.contacts) {
+    if constexpr (Chain::driven) {
+      chain.forces(x_.data(), u_.data(), F_.data());
+      chain.drive(F_.data(), 0.0);
+      const auto coupling = chain.coupling.view();
+      for (std::size_t k = 0; k < chain.contacts; ++k) a_[k] = coupling.acceleration(F_.data(), k);
+    }
+  }
 
   const double* x() const { return x_.data(); }
   const double* u() const { return u_.data(); }
@@ -31,6 +38,7 @@ class Verlet {
       predicted[k] = u[k] + a[k];
     }
     chain_.forces(x, predicted, F);
+    chain_.drive(F, 1.0);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
       const double a_new = coupling.acceleration(F, k);

@@ -45,7 +45,7 @@ class HardSphereColumn {
         state_(contacts_), spread_(spread(column.mass)), due_(contacts_), impacts_(contacts_),
         touching_gap_(options.same_time) {
     const double N = static_cast<double>(column.N);
-    if (!column.mass.empty() || !column.gaps.empty()) options_.same_time *= 1e-3;  // nothing is simultaneous by symmetry
+    if (!column.mass.empty() || !column.gaps.empty()) options_.same_time *= 1e-3;  // no symmetry makes times the same
     const Real length = length_of(column);
     if (options_.collision_limit == 0)
       options_.collision_limit = static_cast<std::uint64_t>(std::min(1e7 + 10.0 * N * N, 2e8));
@@ -84,8 +84,8 @@ class HardSphereColumn {
   }
 
   /// After run(): how far the clock was too coarse. In a series of ever faster collisions, which may or may not be
-  /// infinite, times cease to be told apart; where the beads go from there is uncertain by their speeds relative to each
-  /// other. The largest of these, with as much of it as rounding is of the time to the next collision.
+  /// infinite, times cease to be told apart; where the beads go from there is uncertain by their speeds relative to
+  /// each other. The largest of these, with as much of it as rounding is of the time to the next collision.
   Real doubt() const {
     Real largest = 0;
     for (const Contact& contact : state_) largest = std::max(largest, contact.doubt);
@@ -264,7 +264,8 @@ class HardSphereColumn {
     lowest_ = k;
     while (lowest_ > 0 && touches(lowest_ - 1)) --lowest_;
     touching_.clear();
-    for (std::size_t j = lowest_; j <= k || (j < contacts_ && touches(j)); ++j) touching_.push_back(static_cast<double>(state_[j].u));
+    for (std::size_t j = lowest_; j <= k || (j < contacts_ && touches(j)); ++j)
+      touching_.push_back(static_cast<double>(state_[j].u));
   }
 
   /// However the beads of a cluster that is certain to collapse got there, they stay together.

@@ -3,70 +3,76 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "energy_balance.hpp"
+#include "ground_events.hpp"
 #include "power_law_group.hpp"
 #include "samples.hpp"
 #include "sigmasweep/solve/column.hpp"
 #include "sigmasweep/solve/nonlinear.hpp"
-#include "tournament.hpp"
 
 namespace sigmasweep {
 
-/// One collision under a law that is not linear, from contact event to contact event, in reduced units. As in
-/// ExactColumn the state is the overlaps x and their rates u; beads without a closed contact fly freely, each group of
-/// closed contacts with the open gaps beside them runs on its own clock, and whatever has the earliest event is next.
-template <class Real>
-class NonlinearColumn {
+/// Contacts lo..hi that a column moves together from `start`.
+template <class Real, class Ground>
+struct NonlinearGroup {
+  NonlinearGroup(const Column<Real>& column, const Real& accuracy, const Ground& ground)
+      : contacts(column, accuracy, ground) {}
+  std::size_t lo = 0, hi = 0;
+  Real start{};
+  PowerLawGroup<Real, Ground> contacts;
+};
+
+/// One collision under a law that is not linear, from contact event to contact event (contact_events.hpp), in reduced
+/// units. Ground: a fixed wall, or a plate that vibrates under gravity.
+template <class Real, class Ground = FixedWall>
+class NonlinearColumn
+    : private GroundEvents<NonlinearColumn<Real, Ground>, Real, NonlinearGroup<Real, Ground>, 1, Ground> {
  public:
-  NonlinearColumn(const Column<Real>& column, const NonlinearOptions& options);
+  NonlinearColumn(const Column<Real>& column, const NonlinearOptions& options, const Ground& ground = {});
   Outcome<Real> run();
   /// The same, seen by a watcher (samples.hpp), and over with its last sample. Samples: double.
   template <class Watcher>
   Outcome<Real> run(Watcher& watcher);
+  /// On a plate, instead of run(): ground_events.hpp.
+  template <class Watcher>
+  Outcome<Real> follow(Watcher& watcher) requires(Ground::moves)
+  {
+    return Events::follow(watcher);
+  }
 
  private:
-  static constexpr int none = -1;
-  struct Group {
-    Group(const Column<Real>& column, const Real& accuracy) : contacts(column, accuracy) {}
-    std::size_t lo = 0, hi = 0;
-    Real start{};
-    PowerLawGroup<Real> contacts;
-  };
-  struct Range {
-    std::size_t lo, hi;
-  };
+  static constexpr double longest_clock = 16.0;  ///< t_c
+  using Group = NonlinearGroup<Real, Ground>;
+  using Events = GroundEvents<NonlinearColumn, Real, Group, 1, Ground>;
+  friend Events;
+  friend ContactEvents<NonlinearColumn, Real, Group>;
+  using Events::N_, Events::x_, Events::u_, Events::at_, Events::closed_, Events::group_of_, Events::epoch_,
+      Events::events_, Events::contacts_, Events::wall_opened_, Events::x_max_, Events::ground_, Events::velocities;
 
-  void advance(std::size_t next, const Real& t);
-  void close_gap(std::size_t k, const Real& t);
-  void finish_step(int id);
+  std::unique_ptr<Group> new_group() { return std::make_unique<Group>(column_, Real(options_.accuracy), ground_); }
+  void start_group(Group& group) { group.contacts.start(group.lo, group.hi, closed_, x_, u_); }
+  void step_group(Group& group);
+  static const Real& length_of(const Group& group) { return group.contacts.length(); }
+  static std::optional<std::size_t> event_of(const Group& group) { return group.contacts.event(); }
+  Real closes_in(std::size_t k) const;
+  void fly(std::size_t k, const Real& t);
+  PlateWork work_of(Group& group, const Real& elapsed) requires(Ground::moves);
+  Status why_stop() requires(Ground::moves);
+  ContactState<Real> free_state(std::size_t k, const Real& t) const;
   void change_contact(std::size_t k, const Real& t);
-  Range release(std::size_t k, const Real& t);
-  void dissolve(int id, const Real& t);
-  void regroup(Range range, const Real& t);
-  void make_group(Range range, const Real& t);
-  void begin_step(int id);
-  void schedule_gap(std::size_t k);
+  void move_group(Group& group, const Real& elapsed, bool whole_step);
   bool is_settled();
   void state_at(const Real& t, std::span<Real> x, std::span<Real> u);
-  std::vector<Real> velocities() const;
 
   const Column<Real> column_;
   NonlinearOptions options_;
-  std::size_t N_;
   Real closing_overlap_;
-  std::vector<Real> x_, u_;
-  std::vector<Real> at_;  ///< free gaps: the time their state is of
-  std::vector<std::uint8_t> closed_;
-  std::vector<int> group_of_;
-  std::vector<std::unique_ptr<Group>> groups_;
-  std::vector<int> idle_;
-  Tournament<Real> events_;
-  std::uint64_t contacts_ = 0, steps_ = 0, next_check_ = 0, next_check_step_ = 0, work_ = 0;
+  std::uint64_t steps_ = 0, next_check_ = 0, next_check_step_ = 0, work_ = 0;
   bool lost_ = false;  ///< a step that no length makes good
-  Real wall_opened_{}, x_max_{};
 };
 
 }  // namespace sigmasweep

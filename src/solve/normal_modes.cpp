@@ -43,7 +43,8 @@ class NormalModesColumn {
     while (outcome_.status == Status::ok && outcome_.end == End::none) {
       if (runs_.empty()) fly();
       else step();
-      if (outcome_.contacts > options_.event_limit || work_ > options_.work_limit) outcome_.status = Status::event_limit;
+      if (outcome_.contacts > options_.event_limit || work_ > options_.work_limit)
+        outcome_.status = Status::event_limit;
       if (!std::isfinite(now_[0].u)) outcome_.status = Status::non_finite;
     }
     outcome_.velocity = velocities();
@@ -165,8 +166,8 @@ class NormalModesColumn {
     return {now_[k].x + below.x - above.x, below.u - above.u};
   }
 
-  /// How far the bead below (side -1) or above (+1) the open contact k has moved, and its velocity. Its neighbour on the
-  /// other side pushes it: with p'' = F = sum_j shape_j (K y_j + C y_j') for the uppermost bead of a run,
+  /// How far the bead below (side -1) or above (+1) the open contact k has moved, and its velocity. Its neighbour on
+  /// the other side pushes it: with p'' = F = sum_j shape_j (K y_j + C y_j') for the uppermost bead of a run,
   ///     p(t) - p(0) = drift t - sum_j shape_j (y_j(t) - y_j(0))/lambda_j.
   State edge(std::size_t k, int side, Real t) {
     const Run* run = run_beside(k, side);
@@ -293,7 +294,7 @@ class NormalModesColumn {
   }
 
   /// The cubic through both ends with their slopes is off by at most f s^2 (1-s)^2/24, f = |x''''| h^4, s = t/h; its
-  /// Bernstein coefficients say whether it stays positive, or falls all the way; if neither is sure, halves are looked at.
+  /// Bernstein coefficients say whether it stays positive, or falls all the way; if neither is sure, we look at halves.
   Real crossing_in(std::size_t k, Real ta, const State& a, Real tb, const State& b, Real fourth, int depth) {
     constexpr Real never = std::numeric_limits<Real>::infinity();
     constexpr int deepest = 60;

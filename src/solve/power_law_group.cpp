@@ -26,24 +26,25 @@ constexpr int most_tries = 400, patience = 12;
 
 }  // namespace
 
-template <class Real>
-PowerLawGroup<Real>::PowerLawGroup(const Column<Real>& column, const Real& accuracy)
+template <class Real, class Ground>
+PowerLawGroup<Real, Ground>::PowerLawGroup(const Column<Real>& column, const Real& accuracy, const Ground& ground)
     : column_(column),
+      ground_(ground),
       force_(column.exponents),
       accuracy_(accuracy),
       delta_(closing_overlap(accuracy)),
       q_(root(column.exponents)),
       next_time_span_(Real(0.02)) {}
 
-template <class Real>
-void PowerLawGroup<Real>::start(std::size_t lo, std::size_t hi, std::span<const std::uint8_t> closed,
+template <class Real, class Ground>
+void PowerLawGroup<Real, Ground>::start(std::size_t lo, std::size_t hi, std::span<const std::uint8_t> closed,
                                 std::span<const Real> x, std::span<const Real> u) {
   lo_ = lo;
   n_ = hi - lo + 1;
   closed_.assign(closed.begin() + std::ptrdiff_t(lo), closed.begin() + std::ptrdiff_t(hi) + 1);
   for (auto* v : {&K_, &C_, &below_, &above_, &inertia_}) v->resize(n_);
   F_.assign(n_ + 2, Real(0));
-  for (auto* v : {&start_, &end_, &start_slope_, &end_slope_}) v->resize(2 * n_);
+  for (auto* v : {&start_, &end_, &start_slope_, &end_slope_}) v->resize(2 * n_ + (Ground::moves ? 2 : 0));
   at_start_.resize(n_);
   scratch_.resize(n_);
   for (std::size_t i = 0; i < n_; ++i) {
@@ -60,15 +61,15 @@ void PowerLawGroup<Real>::start(std::size_t lo, std::size_t hi, std::span<const 
   next_time_span_ = std::max(next_time_span_, Real(1e-3));
 }
 
-template <class Real>
-Real PowerLawGroup<Real>::power_of(const Real& s, int n) const {
+template <class Real, class Ground>
+Real PowerLawGroup<Real, Ground>::power_of(const Real& s, int n) const {
   Real product = 1;
   for (int i = 0; i < n; ++i) product *= s;
   return product;
 }
 
-template <class Real>
-void PowerLawGroup<Real>::slopes(const State& y, State& dy, const Real& at) {
+template <class Real, class Ground>
+void PowerLawGroup<Real, Ground>::slopes(const State& y, State& dy, const Real& at) {
   const Real* x = y.data();
   const Real* u = y.data() + n_;
   if (leader_ != none) {
@@ -85,15 +86,33 @@ void PowerLawGroup<Real>::slopes(const State& y, State& dy, const Real& at) {
     dx[i] = u[i];
     du[i] = below_[i] * F[std::ptrdiff_t(i) - 1] - inertia_[i] * F[i] + above_[i] * F[i + 1];
   }
+  if constexpr (Ground::moves) drive(dy, x, u, leader_ == none ? at : y[leader_]);
   if (leader_ == none) return;
   const Real dt = Real(q_) * power_of(at, q_ - 1) / u[leader_];
   for (Real& slope : dy) slope *= dt;
   dx[leader_] = dt;
 }
 
+/// The plate's load on contact 0, the power of the plate and that lost in dashpots.
+template <class Real, class Ground>
+void PowerLawGroup<Real, Ground>::drive(State& dy, const Real* x, const Real* u, const Real& elapsed)
+  requires(Ground::moves)
+{
+  Real& power_in = dy[2 * n_];
+  Real& power_lost = dy[2 * n_ + 1];
+  power_in = power_lost = Real(0);
+  if (lo_ == 0) {
+    dy[n_] += ground_.load(begin_ + elapsed);
+    power_in = F_[1] * ground_.speed(begin_ + elapsed);
+  }
+  const Real gamma = column_.exponents.gamma;
+  for (std::size_t i = 0; i < n_; ++i)
+    if (closed_[i]) power_lost += C_[i] * std::pow(std::max(x[i], Real(0)), gamma) * u[i] * u[i];
+}
+
 /// One step of the scheme over `span`; its estimated error over the accuracy.
-template <class Real>
-Real PowerLawGroup<Real>::trial(const Real& span) {
+template <class Real, class Ground>
+Real PowerLawGroup<Real, Ground>::trial(const Real& span) {
   span_ = span;
   work_ += n_;
   const auto system = [this](const State& y, State& dy, const Real& at) { slopes(y, dy, at); };
@@ -101,8 +120,8 @@ Real PowerLawGroup<Real>::trial(const Real& span) {
 }
 
 /// Of the closed contacts near x = 0 the fastest: its kink is the strongest.
-template <class Real>
-void PowerLawGroup<Real>::choose_leader() {
+template <class Real, class Ground>
+void PowerLawGroup<Real, Ground>::choose_leader() {
   using std::fabs;
   std::size_t fastest = none;
   for (std::size_t i = 0; i < n_ && q_ > 1; ++i) {
@@ -114,8 +133,8 @@ void PowerLawGroup<Real>::choose_leader() {
 }
 
 /// Puts the state of the step's start (at_start_, rates in start_) into the leader's variables.
-template <class Real>
-void PowerLawGroup<Real>::lead_by(std::size_t contact) {
+template <class Real, class Ground>
+void PowerLawGroup<Real, Ground>::lead_by(std::size_t contact) {
   using std::pow;
   const bool same = leader_ == contact;
   leader_ = contact;
@@ -130,8 +149,8 @@ void PowerLawGroup<Real>::lead_by(std::size_t contact) {
 }
 
 /// Of the step's length, in the leader's s or in time.
-template <class Real>
-Real PowerLawGroup<Real>::first_guess() const {
+template <class Real, class Ground>
+Real PowerLawGroup<Real, Ground>::first_guess() const {
   using std::fabs, std::pow;
   if (leader_ == none) return next_time_span_;
   const Real u = start_[n_ + leader_];
@@ -140,27 +159,29 @@ Real PowerLawGroup<Real>::first_guess() const {
   return u > 0 ? size : size > Real(0.7) * from_ ? Real(-from_) : Real(-size);
 }
 
-template <class Real>
-bool PowerLawGroup<Real>::leader_reverses() const {
+template <class Real, class Ground>
+bool PowerLawGroup<Real, Ground>::leader_reverses() const {
   return !(start_[n_ + leader_] * end_[n_ + leader_] > 0);
 }
 
 /// The span to try after one with this error, by the scheme's order.
-template <class Real>
-Real PowerLawGroup<Real>::shortened(const Real& span, const Real& error) const {
+template <class Real, class Ground>
+Real PowerLawGroup<Real, Ground>::shortened(const Real& span, const Real& error) const {
   using std::pow;
   if (error <= 1) return span / 4;  // not the error: the leader turned round within the step
   if (!(error < Real(1e10))) return span / 5;
   return span * std::max(Real(0.2), std::min(Real(0.5), Real(0.9) * pow(error, Real(-0.125))));
 }
-template <class Real>
-Real PowerLawGroup<Real>::lengthened(const Real& span, const Real& error) const {
+template <class Real, class Ground>
+Real PowerLawGroup<Real, Ground>::lengthened(const Real& span, const Real& error) const {
   using std::pow;
   return span * std::min(Real(4), Real(0.9) * pow(std::max(error, Real(1e-8)), Real(-0.125)));
 }
 
-template <class Real>
-bool PowerLawGroup<Real>::step() {
+template <class Real, class Ground>
+bool PowerLawGroup<Real, Ground>::step(const Real& begin) {
+  begin_ = begin;
+  if constexpr (Ground::moves) start_[2 * n_] = start_[2 * n_ + 1] = Real(0);
   std::copy_n(end_.begin() + std::ptrdiff_t(n_), n_, start_.begin() + std::ptrdiff_t(n_));
   banned_ = none;
   choose_leader();
@@ -195,14 +216,14 @@ bool PowerLawGroup<Real>::step() {
 }
 
 /// Whether a contact that opens within a step in time is better followed in its own variable.
-template <class Real>
-bool PowerLawGroup<Real>::should_lead(std::size_t i) const {
+template <class Real, class Ground>
+bool PowerLawGroup<Real, Ground>::should_lead(std::size_t i) const {
   return leader_ == none && closed_[i] && i != banned_ && at_start_[i] > 0;
 }
 
 /// Ends the step at the first of its events.
-template <class Real>
-void PowerLawGroup<Real>::end_at(std::optional<Crossing> crossing) {
+template <class Real, class Ground>
+void PowerLawGroup<Real, Ground>::end_at(std::optional<Crossing> crossing) {
   event_.reset();
   while (crossing) {
     event_.reset();
@@ -214,16 +235,17 @@ void PowerLawGroup<Real>::end_at(std::optional<Crossing> crossing) {
   if (event_) *event_ += lo_;
 }
 
-template <class Real>
-void PowerLawGroup<Real>::read(const State& y, const Real& at, std::span<Real> x, std::span<Real> u) const {
+template <class Real, class Ground>
+void PowerLawGroup<Real, Ground>::read(const State& y, const Real& at, std::span<Real> x, std::span<Real> u) {
   for (std::size_t i = 0; i < n_; ++i) {
     x[lo_ + i] = i == leader_ ? power_of(at, q_) : y[i];
     u[lo_ + i] = y[n_ + i];
   }
+  if constexpr (Ground::moves) done_ = {y[2 * n_], y[2 * n_ + 1]};
 }
 
-template <class Real>
-void PowerLawGroup<Real>::finish(std::span<Real> x, std::span<Real> u) {
+template <class Real, class Ground>
+void PowerLawGroup<Real, Ground>::finish(std::span<Real> x, std::span<Real> u) {
   read(end_, from_ + span_, x, u);
   if (event_) x[*event_] = closed_[*event_ - lo_] ? Real(0) : delta_;
   for (std::size_t i = 0; i < n_; ++i) {
@@ -234,8 +256,8 @@ void PowerLawGroup<Real>::finish(std::span<Real> x, std::span<Real> u) {
 }
 
 /// The span after which the time is `elapsed`; in s by Newton's method with one step of the scheme each.
-template <class Real>
-Real PowerLawGroup<Real>::span_for(const Real& elapsed) {
+template <class Real, class Ground>
+Real PowerLawGroup<Real, Ground>::span_for(const Real& elapsed) {
   using std::fabs;
   if (leader_ == none) return elapsed;
   const Real whole = span_;
@@ -254,8 +276,8 @@ Real PowerLawGroup<Real>::span_for(const Real& elapsed) {
   return span;
 }
 
-template <class Real>
-void PowerLawGroup<Real>::within(const Real& elapsed, std::span<Real> x, std::span<Real> u) {
+template <class Real, class Ground>
+void PowerLawGroup<Real, Ground>::within(const Real& elapsed, std::span<Real> x, std::span<Real> u) {
   if (elapsed >= length_) return read(end_, from_ + span_, x, u);
   const State end = end_, end_slope = end_slope_;
   const Real whole = span_;
@@ -267,8 +289,8 @@ void PowerLawGroup<Real>::within(const Real& elapsed, std::span<Real> x, std::sp
 }
 
 /// d^2 x_i/d(independent variable)^2.
-template <class Real>
-Real PowerLawGroup<Real>::second_slope(const State& y, const State& dy, const Real& at, std::size_t i) const {
+template <class Real, class Ground>
+Real PowerLawGroup<Real, Ground>::second_slope(const State& y, const State& dy, const Real& at, std::size_t i) const {
   if (leader_ == none) return dy[n_ + i];
   const Real u = y[n_ + leader_], dt = dy[leader_];
   const Real curl = q_ == 1 ? Real(0) : Real(Real(q_ * (q_ - 1)) * power_of(at, q_ - 2) / u);
@@ -276,8 +298,8 @@ Real PowerLawGroup<Real>::second_slope(const State& y, const State& dy, const Re
 }
 
 /// The polynomial of degree five in the fraction of the step with the overlap, slope and curvature of both ends.
-template <class Real>
-auto PowerLawGroup<Real>::hermite(std::size_t i) const -> Quintic {
+template <class Real, class Ground>
+auto PowerLawGroup<Real, Ground>::hermite(std::size_t i) const -> Quintic {
   const Real h = span_;
   const Real x0 = start_[i], v0 = h * start_slope_[i], a0 = h * h * second_slope(start_, start_slope_, from_, i);
   const Real x1 = end_[i], v1 = h * end_slope_[i], a1 = h * h * second_slope(end_, end_slope_, from_ + h, i);
@@ -292,8 +314,8 @@ auto PowerLawGroup<Real>::hermite(std::size_t i) const -> Quintic {
 
 /// The first contact, but for one, that changes its state within the step, by the steps' own polynomials: with what the
 /// step control leaves of an error there a contact that is overlooked is too shallow to matter.
-template <class Real>
-auto PowerLawGroup<Real>::first_crossing(std::size_t but) const -> std::optional<Crossing> {
+template <class Real, class Ground>
+auto PowerLawGroup<Real, Ground>::first_crossing(std::size_t but) const -> std::optional<Crossing> {
   std::optional<Crossing> first;
   for (std::size_t i = 0; i < n_; ++i) {
     if (i == but || i == leader_) continue;
@@ -312,8 +334,8 @@ auto PowerLawGroup<Real>::first_crossing(std::size_t but) const -> std::optional
 
 /// Shortens the step so that contact i reaches its event at the end: Newton's method, one step of the scheme each, kept
 /// within a bracket. False if it does not get there; the step is left shortened to where it comes closest.
-template <class Real>
-bool PowerLawGroup<Real>::locate(std::size_t i, const Real& fraction) {
+template <class Real, class Ground>
+bool PowerLawGroup<Real, Ground>::locate(std::size_t i, const Real& fraction) {
   using std::fabs;
   const Real whole = span_, sign = closed_[i] ? Real(1) : Real(-1), goal = target(i);
   bool bracketed = sign * (end_[i] - goal) < 0;
@@ -337,8 +359,8 @@ bool PowerLawGroup<Real>::locate(std::size_t i, const Real& fraction) {
 }
 
 /// Overlap of contact i where its rate goes through zero within the step: Newton's method, one step of the scheme each.
-template <class Real>
-Real PowerLawGroup<Real>::maximum(std::size_t i) {
+template <class Real, class Ground>
+Real PowerLawGroup<Real, Ground>::maximum(std::size_t i) {
   const State end = end_, end_slope = end_slope_;
   const Real whole = span_;
   const Real before = start_[n_ + i], after = end_[n_ + i];
@@ -357,8 +379,8 @@ Real PowerLawGroup<Real>::maximum(std::size_t i) {
   return largest;
 }
 
-template <class Real>
-Real PowerLawGroup<Real>::deepest(const Real& known) {
+template <class Real, class Ground>
+Real PowerLawGroup<Real, Ground>::deepest(const Real& known) {
   using std::fabs;
   Real largest = known;
   for (std::size_t i = 0; i < n_; ++i) {
@@ -377,5 +399,6 @@ Real PowerLawGroup<Real>::deepest(const Real& known) {
 
 template class PowerLawGroup<double>;
 template class PowerLawGroup<long double>;
+template class PowerLawGroup<double, Plate>;
 
 }  // namespace sigmasweep

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact_forces.hpp"
+#include "plate.hpp"
 #include "sigmasweep/scene/dormand_prince.hpp"
 #include "sigmasweep/solve/column.hpp"
 
@@ -18,12 +19,13 @@ namespace sigmasweep {
 /// The independent variable of a step is the time or, while a contact (the leader) is near x = 0, its s = x^(1/q):
 ///     dt/ds = q s^(q-1)/u,  dx_j/ds = u_j dt/ds,  du_j/ds = a_j dt/ds,
 /// with q such that all powers of s in the leader's force are whole. In s the force is smooth through the closing and
-/// up to the opening, which is at s = 0 and need not be searched for. Other contacts that are near x = 0 at the same time
-/// are left to the control of the step length.
-template <class Real>
+/// up to the opening, which is at s = 0 and need not be searched for. Other contacts that are near x = 0 at the same
+/// time are left to the control of the step length.
+/// Ground: on a plate its load accelerates contact 0, and the works (PlateWork) are integrated along with the motion.
+template <class Real, class Ground = FixedWall>
 class PowerLawGroup {
  public:
-  PowerLawGroup(const Column<Real>& column, const Real& accuracy);
+  PowerLawGroup(const Column<Real>& column, const Real& accuracy, const Ground& ground = {});
 
   /// The overlap at which a gap counts as closed: so small that the force left out is below the accuracy. Contacts
   /// that touch without approaching close when the others have pushed them together that far.
@@ -33,8 +35,9 @@ class PowerLawGroup {
   void start(std::size_t lo, std::size_t hi, std::span<const std::uint8_t> closed, std::span<const Real> x,
              std::span<const Real> u);
 
-  /// One step from where the group is; length() and event() say what came out. False if no step is small enough.
-  bool step();
+  /// One step from where the group is, at time `begin`; length() and event() say what came out. False if no step is
+  /// small enough.
+  bool step(const Real& begin);
   /// Where the step just made ends.
   void finish(std::span<Real> x, std::span<Real> u);
   /// At a time within the step just made, counted from its start; the step stays as it is.
@@ -44,10 +47,13 @@ class PowerLawGroup {
   std::optional<std::size_t> event() const { return event_; }              ///< which contact changes at its end
   /// Largest overlap of a closed contact in the step just made, if above `known`; else `known`. Before finish().
   Real deepest(const Real& known);
+  /// From the step's start to where finish() or within() was asked for last.
+  PlateWork plate_work() const requires(Ground::moves) { return done_; }
   std::uint64_t work() const { return work_; }                             ///< contacts times trial steps so far
 
  private:
-  using State = std::vector<Real>;  ///< n overlaps, n rates; in the leader's place the time since the step's start
+  /// n overlaps, n rates; in the leader's place the time since the step's start. On a plate its two works after these.
+  using State = std::vector<Real>;
   static constexpr std::size_t none = SIZE_MAX;
 
   struct Crossing {
@@ -74,9 +80,13 @@ class PowerLawGroup {
   Real target(std::size_t i) const { return closed_[i] ? Real(0) : delta_; }
   Real power_of(const Real& s, int n) const;
   Real span_for(const Real& elapsed);
-  void read(const State& y, const Real& at, std::span<Real> x, std::span<Real> u) const;
+  void read(const State& y, const Real& at, std::span<Real> x, std::span<Real> u);
+  void drive(State& dy, const Real* x, const Real* u, const Real& elapsed) requires(Ground::moves);
 
   const Column<Real>& column_;
+  [[no_unique_address]] Ground ground_;
+  PlateWork done_;
+  Real begin_{};
   ContactForces<Real> force_;
   Real accuracy_, delta_;
   int q_;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "sigmasweep/scene/parameters.hpp"
 #include "sigmasweep/solve/column.hpp"
 
 namespace sigmasweep {
@@ -44,6 +47,27 @@ class Samples {
   std::vector<double> x_, u_;
 };
 
+/// The same of a vibrated column, whose solvers keep time within the plate's period and say when one is over.
+class VibratedSamples {
+ public:
+  static constexpr bool watches = true;
+
+  VibratedSamples(Samples& samples, double period) : samples_(samples), period_(period) {}
+
+  template <class State>
+  void until(double time, State&& state) {
+    const double begun = static_cast<double>(periods_) * period_;
+    samples_.until(begun + time, [&](double when, auto x, auto u) { state(std::min(when - begun, time), x, u); });
+  }
+  void end_period(double /*energy*/, double /*in*/, double /*lost*/) { ++periods_; }
+  bool done() const { return samples_.done(); }
+
+ private:
+  Samples& samples_;
+  double period_;
+  std::int64_t periods_ = 0;
+};
+
 /// The solvers' runs with a watcher. Times in the column's units; each says where its clock starts.
 /// At the first contact with the wall.
 void watch_exact(const Column<double>& column, Samples& samples);
@@ -54,5 +78,8 @@ void watch_fixed_step(const Column<double>& column, Integrator integrator, doubl
 void watch_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples);
 /// At the first contact with the wall.
 void watch_nonlinear(const Column<double>& column, Samples& samples);
+/// At the start, in vibration_units(). Overlaps and rates are relative to the plate.
+void watch_vibrated_soft_spheres(const Parameters& parameters, VibratedSamples& samples);
+void watch_vibrated_hard_spheres(const Parameters& parameters, VibratedSamples& samples);
 
 }  // namespace sigmasweep

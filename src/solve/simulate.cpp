@@ -5,6 +5,7 @@
 #include "sigmasweep/solve/fixed_step.hpp"
 #include "sigmasweep/solve/hard_spheres.hpp"
 #include "sigmasweep/solve/nonlinear.hpp"
+#include "sigmasweep/solve/vibrated.hpp"
 
 namespace sigmasweep {
 
@@ -17,6 +18,7 @@ Collision without_result(Status status) {
 }
 
 Collision simulated(const Parameters& parameters, Patience* patience) {
+  if (parameters.geometry == Geometry::vibrated_column) return simulate_vibrated(parameters, patience);
   if (parameters.method == Method::ed) return simulate_hard_spheres(parameters, patience);
   if (parameters.integrator != Integrator::exact) return simulate_fixed_step(parameters, patience);
   return exponents(parameters).linear() ? simulate_exact(parameters, patience)

@@ -13,8 +13,8 @@
 
 namespace sigmasweep {
 
-/// How far a Taylor step may reach: taylor_reach over the largest rate |s| among the modes e^(st) of its chains of closed
-/// contacts.
+/// How far a Taylor step may reach: taylor_reach over the largest rate |s| among the modes e^(st) of its chains of
+/// closed contacts.
 template <class Real, bool Uneven>
 class StepLengths;
 
@@ -81,7 +81,7 @@ class StepLengths<Real, false> {
 
 /// Beads with masses of their own. The overlaps x of a chain obey x'' = -A (K x + C x'), A = tridiag(-1/m_(k-1),
 /// 1/m_(k-1) + 1/m_k, -1/m_k), K and C diagonal and in general not proportional. Multiplied from the left with
-/// x^* A^-1 the mode x e^(st) gives a s^2 + c s + k = 0 with real a = x^* A^-1 x > 0, c = x^* C x and k = x^* K x >= 0. So
+/// x^* A^-1 the mode x e^(st) gives a s^2 + c s + k = 0 with real a = x^* A^-1 x > 0, c = x^* C x, k = x^* K x >= 0: so
 ///     |s|^2 = k/a <= the largest eigenvalue of A K          where the roots are complex,
 ///     |s| <= c/a  <= the largest eigenvalue of A C          where they are real,
 /// and both eigenvalues are at most the largest sum of magnitudes in a row (Gershgorin).

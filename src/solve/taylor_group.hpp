@@ -45,7 +45,8 @@ struct Coupling<Block, true> {
 /// k is closed and 0 where it is open, and coupled as above, they are a linear system with constant coefficients: its
 /// Taylor series about the step's start is exact to rounding.
 /// Several motions (Motions: the column's own and linearised disturbances of it) go through the same maps side by side.
-template <class Real, int Motions, bool Uneven = false, int Order = TaylorOrder<Real>::value>
+/// Driven: the first contact of the column's own motion may be accelerated from outside, too.
+template <class Real, int Motions, bool Uneven = false, int Order = TaylorOrder<Real>::value, bool Driven = false>
 class TaylorGroup {
  public:
   static constexpr int order = Order;
@@ -92,6 +93,13 @@ class TaylorGroup {
       term(0, motion, b) = x0;
       term(1, motion, b) = u0 * Block(h);
     }
+  }
+
+  /// Term p, for p = 0 to order - 2, of what accelerates contact 0 besides the contacts' forces, in t/h: sum_p
+  /// terms[p] (t/h)^p. Without terms: nothing.
+  void drive(std::span<const Real> terms, const Real& h) requires Driven {
+    for (std::size_t p = 0; p < drive_.size(); ++p)
+      drive_[p][0] = terms.empty() ? Real(0) : terms[p] * h * h / Real((p + 1) * (p + 2));
   }
 
   /// The series in t/h, t from the step's start: term p is x_k^(p) h^p/p!.
@@ -252,6 +260,8 @@ class TaylorGroup {
         a[c] = b[c];
         b[c] = coupling[r](shifted_up(r > 0 ? f[c - (r > 0)] : zero, f[c]), f[c],
                            shifted_down(f[c], r + 1 < InRegisters ? f[c + (r + 1 < InRegisters)] : zero));
+        if constexpr (Driven)
+          if (c == 0) b[c] = b[c] + drive_[std::size_t(p)];
         term(p + 2, c / InRegisters, r) = b[c];
       }
     }
@@ -267,6 +277,8 @@ class TaylorGroup {
           f[b] = (K_[b] * Block(spring)) * term(p, m, b) + (C_[b] * Block(dashpot)) * term(p + 1, m, b);
         for (std::size_t b = 0; b < live_; ++b)
           term(p + 2, m, b) = coupling_[b](shifted_up(f[b - 1], f[b]), f[b], shifted_down(f[b], f[b + 1]));
+        if constexpr (Driven)
+          if (m == 0) term(p + 2, 0, 0) = term(p + 2, 0, 0) + drive_[std::size_t(p)];
       }
     }
   }
@@ -308,9 +320,9 @@ class TaylorGroup {
     return p;
   }
 
-  /// suspect_ = never where a contact cannot change its state on [0, limit h]: the Bernstein coefficients of sign x_i(t)
-  /// (of sign x_i(t)/t if x_i(0) = 0), cut at degree `screen`, all exceed the sum of the terms beyond. Elsewhere the
-  /// index of the first coefficient that does not.
+  /// suspect_ = never where a contact cannot change its state on [0, limit h]: the Bernstein coefficients of sign
+  /// x_i(t) (of sign x_i(t)/t if x_i(0) = 0), cut at degree `screen`, all exceed the sum of the terms beyond. Elsewhere
+  /// the index of the first coefficient that does not.
   void rule_out(std::size_t block, const Real& limit) {
     static const auto weight = [] {
       std::array<Real, screen + 1> w;  // 1/C(screen, p)
@@ -351,6 +363,7 @@ class TaylorGroup {
   Real h_{};
   Blocks a_, K_, C_, sign_, suspect_, examined_, highest_, force_;
   std::vector<Coupling<Block, Uneven>> coupling_;
+  std::array<Block, Driven ? order - 1 : 0> drive_;
 };
 
 }  // namespace sigmasweep

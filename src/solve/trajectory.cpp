@@ -6,6 +6,7 @@
 
 #include "exact_column.hpp"
 #include "nonlinear_column.hpp"
+#include "plate.hpp"
 #include "samples.hpp"
 #include "sigmasweep/solve/column.hpp"
 #include "sigmasweep/solve/fixed_step.hpp"
@@ -30,6 +31,7 @@ void fall(const Column<double>& column, double t, std::span<double> x, std::span
 }
 
 Units units_of(const Parameters& p, const Column<double>& column) {
+  if (p.geometry == Geometry::vibrated_column) return {vibration_units(p).time, vibration_units(p).length, 0.0};
   if (p.method == Method::ed) {
     if (p.s0 > 0.0) return {p.s0 / p.v0, p.s0, 0.0};
     return {p.tc, p.v0 * p.tc, 0.0};
@@ -39,7 +41,13 @@ Units units_of(const Parameters& p, const Column<double>& column) {
   return {p.tc, p.v0 * p.tc, from_the_start ? 0.0 : first_contact};
 }
 
+void watch_vibrated(const Parameters& p, Samples& samples) {
+  VibratedSamples vibrated(samples, Plate::of(p, vibration_units(p)).period());
+  p.method == Method::ed ? watch_vibrated_hard_spheres(p, vibrated) : watch_vibrated_soft_spheres(p, vibrated);
+}
+
 void watch(const Parameters& p, const Column<double>& column, Samples& samples) {
+  if (p.geometry == Geometry::vibrated_column) return watch_vibrated(p, samples);
   if (p.method == Method::ed) return watch_hard_spheres(column, p.ed_rule, samples);
   if (p.integrator != Integrator::exact) return watch_fixed_step(column, p.integrator, 1.0 / steps_taken(p), samples);
   const double start = -column.initial_gap(0) / column.speed;
@@ -49,10 +57,10 @@ void watch(const Parameters& p, const Column<double>& column, Samples& samples) 
   watch_nonlinear(column, samples);
 }
 
-/// z_i = -(x_0 + ... + x_i), v_i = -(u_0 + ... + u_i).
-void add_up(std::span<const double> of_contacts, double unit, std::vector<double>& of_beads) {
+/// z_i = plate - (x_0 + ... + x_i), v_i the same with u.
+void add_up(std::span<const double> of_contacts, double unit, double plate, std::vector<double>& of_beads) {
   double sum = 0.0;
-  for (const double value : of_contacts) of_beads.push_back(-unit * (sum += value));
+  for (const double value : of_contacts) of_beads.push_back(plate - unit * (sum += value));
 }
 
 }  // namespace
@@ -71,11 +79,13 @@ Trajectory record(const Parameters& p, std::span<const double> times) {
   Samples samples(std::move(reduced), column.contacts());
   watch(p, column, samples);
 
+  const bool vibrates = p.geometry == Geometry::vibrated_column;
+  const Plate plate{p.gravity, p.A0, 2.0 * std::numbers::pi * p.frequency};  // in SI
   Trajectory trajectory;
   trajectory.time.assign(times.begin(), times.end());
   for (std::size_t s = 0; s < times.size(); ++s) {
-    add_up(samples.x(s), units.length, trajectory.z);
-    add_up(samples.u(s), units.length / units.time, trajectory.velocity);
+    add_up(samples.x(s), units.length, vibrates ? plate.height(times[s]) : 0.0, trajectory.z);
+    add_up(samples.u(s), units.length / units.time, vibrates ? plate.speed(times[s]) : 0.0, trajectory.velocity);
   }
   trajectory.mass = column.is_uniform() ? std::vector<double>(column.contacts(), 1.0) : column.mass;
   for (const double mass : trajectory.mass) trajectory.diameter.push_back(p.d * std::cbrt(mass));
@@ -98,6 +108,9 @@ void watch_nonlinear(const Column<double>& column, Samples& samples) {
 }
 
 double show_time(const Parameters& p, const Collision& collision) {
+  constexpr double shown_periods = 10.0;
+  if (p.geometry == Geometry::vibrated_column)
+    return std::isnan(collision.vibration.h_cm) ? collision.vibration.h_cm : shown_periods / p.frequency;
   const double first_contact = reduced_column<double>(p).initial_gap(0) * p.tc;  // sigma tc = s0/v0
   const double last_contact = first_contact + collision.t_k;
   if (last_contact > 0.0 || std::isnan(last_contact)) return 1.5 * last_contact;

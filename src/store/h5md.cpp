@@ -10,11 +10,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <numeric>
 
 #include "h5md_tree.hpp"
 #include "posix.hpp"
 #include "sigmasweep/errors.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/store/build_info.hpp"
 #include "sigmasweep/sweep/fields.hpp"
@@ -102,16 +104,28 @@ std::vector<double> positions(const Trajectory& t) {
   return h;
 }
 
-/// sum m_i v_i^2 over sum m_i v0^2.
-std::vector<double> kinetic_energies(const Trajectory& t, double v0) {
+/// sum m_i v_i^2 over sum m_i unit^2.
+std::vector<double> kinetic_energies(const Trajectory& t, double unit) {
   const double all = std::accumulate(t.mass.begin(), t.mass.end(), 0.0);
   std::vector<double> energies(t.samples());
   for (std::size_t s = 0; s < t.samples(); ++s)
     for (std::size_t i = 0; i < t.beads(); ++i) {
-      const double v = t.velocity[s * t.beads() + i] / v0;
+      const double v = t.velocity[s * t.beads() + i] / unit;
       energies[s] += t.mass[i] * v * v / all;
     }
   return energies;
+}
+
+/// A flying column's energy over that at the start; a vibrated one's in SI units, over its mass, and its plate.
+void put_observables(hid_t group, const Parameters& p, const Trajectory& trajectory, Elements& elements) {
+  if (p.geometry == Geometry::column) {
+    elements.put(group, "kinetic_energy", kinetic_energies(trajectory, p.v0), {}, "");
+    return;
+  }
+  elements.put(group, "kinetic_energy", kinetic_energies(trajectory, std::numbers::sqrt2), {}, "J kg-1");
+  std::vector<double> plate;
+  for (const double t : trajectory.time) plate.push_back(plate_height(p, t));
+  elements.put(group, "plate_height", plate, {}, "m");
 }
 
 std::vector<std::byte> image_of(const Tuple& tuple, const Trajectory& trajectory) {
@@ -130,8 +144,7 @@ std::vector<std::byte> image_of(const Tuple& tuple, const Trajectory& trajectory
     put_array(beads, "mass", trajectory.mass, {N}, "");
     put_array(beads, "diameter", trajectory.diameter, {N}, "m");
   }
-  elements.put(new_group(file, "observables"), "kinetic_energy", kinetic_energies(trajectory, tuple.parameters.v0), {},
-               "");
+  put_observables(new_group(file, "observables"), tuple.parameters, trajectory, elements);
   put_parameters(file, tuple, trajectory);
   return h5md::image_of(file);
 }

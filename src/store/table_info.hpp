@@ -14,7 +14,8 @@ namespace sigmasweep {
 TableInfo common_info(const Team& team, TableInfo info);
 
 /// Collective, with a common info; or for a file of one rank.
-void write_info(hid_t file, const char* format, std::uint64_t format_version, const TableInfo& info, std::uint64_t rows);
+void write_info(hid_t file, const char* format, std::uint64_t format_version, const TableInfo& info,
+                std::uint64_t rows);
 
 struct StoredInfo {
   TableInfo info;

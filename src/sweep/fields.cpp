@@ -21,6 +21,7 @@ template <class T> constexpr FieldType type_of() {
   else if constexpr (std::is_same_v<T, std::uint64_t>) return FieldType::unsigned_integer;
   else if constexpr (std::is_same_v<T, std::int32_t>) return FieldType::integer32;
   else if constexpr (std::is_same_v<T, Method>) return FieldType::method;
+  else if constexpr (std::is_same_v<T, Geometry>) return FieldType::geometry;
   else if constexpr (std::is_same_v<T, Wall>) return FieldType::wall;
   else if constexpr (std::is_same_v<T, Integrator>) return FieldType::integrator;
   else if constexpr (std::is_same_v<T, Law>) return FieldType::law;
@@ -33,15 +34,18 @@ template <class T> constexpr FieldType type_of() {
 
 #define SIGMASWEEP_FIELD(part, member, unit, meaning) \
   Field{#member, unit, meaning, type_of<decltype(Row::part.member)>(), offsetof(Row, part.member)}
+#define SIGMASWEEP_VIBRATION(member, unit, meaning) \
+  Field{#member, unit, meaning, FieldType::real, offsetof(Row, collision.vibration.member)}
 
 constexpr std::array parameters{
-    SIGMASWEEP_FIELD(parameters, v0, "m/s", "approach speed of the column"),
+    SIGMASWEEP_FIELD(parameters, v0, "m/s", "approach speed; vibrated: at which tc and epsilon hold if nonlinear"),
     SIGMASWEEP_FIELD(parameters, tc, "s", "contact time of a pair of beads, Eq. (6); nonlinear: at v0, Eq. (A2)"),
-    SIGMASWEEP_FIELD(parameters, s0, "m", "initial gap between neighbours and to the wall"),
+    SIGMASWEEP_FIELD(parameters, s0, "m", "initial gap between neighbours and to the wall or plate"),
     SIGMASWEEP_FIELD(parameters, sigma, "1", "s0/(v0 tc), time between contacts over contact time"),
     SIGMASWEEP_FIELD(parameters, N, "1", "number of beads"),
     SIGMASWEEP_FIELD(parameters, epsilon, "1", "restitution of a pair of beads, Eq. (7); nonlinear: at v0"),
     SIGMASWEEP_FIELD(parameters, method, "1", "md: soft spheres; ed: hard spheres, event-driven"),
+    SIGMASWEEP_FIELD(parameters, geometry, "1", "column: flies into a wall; vibrated-column: on a plate"),
     SIGMASWEEP_FIELD(parameters, wall, "1", "paper: same spring and dashpot as a pair; matched: same tc and epsilon"),
     SIGMASWEEP_FIELD(parameters, law, "1", "of the contact force, F = K x^(1+beta) + D x^gamma x'"),
     SIGMASWEEP_FIELD(parameters, beta, "1", "power law: exponent of the spring"),
@@ -55,8 +59,16 @@ constexpr std::array parameters{
     SIGMASWEEP_FIELD(parameters, random_separation, "1", "whether each bead is shifted by up to +- s0/2 at the start"),
     SIGMASWEEP_FIELD(parameters, seed, "1", "of random diameters and separations"),
     SIGMASWEEP_FIELD(parameters, ed_rule, "1", "ed: lrv, each collision loses; tc, none soon after another one"),
-    SIGMASWEEP_FIELD(parameters, steps_per_tc, "1", "gear5, verlet, rk4: time steps per contact time (or give a tolerance)"),
-    SIGMASWEEP_FIELD(parameters, tolerance, "1", "wanted absolute error of eps_eff: of exact, or of a time step chosen for it"),
+    SIGMASWEEP_FIELD(parameters, steps_per_tc, "1",
+                     "gear5, verlet, rk4: time steps per contact time (or give a tolerance)"),
+    SIGMASWEEP_FIELD(parameters, tolerance, "1",
+                     "wanted absolute error of eps_eff: of exact, or of a time step chosen for it"),
+    SIGMASWEEP_FIELD(parameters, gravity, "m/s^2", "vibrated: acceleration of gravity"),
+    SIGMASWEEP_FIELD(parameters, frequency, "Hz", "vibrated: f of the plate A0 sin(2 pi f t), Eq. (1)"),
+    SIGMASWEEP_FIELD(parameters, alpha, "1", "vibrated: A0 (2 pi f)^2/g, plate's acceleration over gravity"),
+    SIGMASWEEP_FIELD(parameters, A0, "m", "vibrated: amplitude of the plate"),
+    SIGMASWEEP_FIELD(parameters, periods, "1", "vibrated: of the plate, how long the column is followed"),
+    SIGMASWEEP_FIELD(parameters, transient, "1", "vibrated: of these, the first ones, which no average takes in"),
 };
 
 constexpr std::array results{
@@ -67,9 +79,21 @@ constexpr std::array results{
     SIGMASWEEP_FIELD(collision, v_cm, "1", "final velocity of the centre of mass over v0"),
     SIGMASWEEP_FIELD(collision, t_k, "s", "time from the first to the last contact with the wall"),
     SIGMASWEEP_FIELD(collision, x_max, "m", "largest overlap of any contact"),
-    SIGMASWEEP_FIELD(collision, predicted_growth, "1", "fixed steps: of the stiffest mode's amplitude in N tc, by theory"),
+    SIGMASWEEP_FIELD(collision, predicted_growth, "1",
+                     "fixed steps: of the stiffest mode's amplitude in N tc, by theory"),
+    SIGMASWEEP_VIBRATION(h_cm, "m", "mean height of the centre of mass above the plate's middle"),
+    SIGMASWEEP_VIBRATION(h_cm_error, "m", "standard error of h_cm, by block averages"),
+    SIGMASWEEP_VIBRATION(h_cm_excess, "m", "h_cm less its value at rest with the plate in the middle"),
+    SIGMASWEEP_VIBRATION(separation, "m", "mean gap between neighbours, overlaps negative"),
+    SIGMASWEEP_VIBRATION(separation_max, "m", "largest gap between neighbours"),
+    SIGMASWEEP_VIBRATION(E_r, "J/kg", "mean kinetic energy relative to the centre of mass, over the mass"),
+    SIGMASWEEP_VIBRATION(cm_period, "s", "after which the centre of mass repeats its motion"),
+    SIGMASWEEP_VIBRATION(power_in, "W/kg", "mean power of the plate, over the mass"),
+    SIGMASWEEP_VIBRATION(power_lost, "W/kg", "mean power lost in contacts, over the mass"),
+    SIGMASWEEP_VIBRATION(imbalance, "1",
+                     "work in less work lost and gain of energy, over max(work in, weight x plate's path)"),
     SIGMASWEEP_FIELD(collision, contacts, "1", "contacts closed and opened again; for hard spheres collisions"),
-    SIGMASWEEP_FIELD(collision, end, "1", "why the collision was considered over"),
+    SIGMASWEEP_FIELD(collision, end, "1", "why the collision was considered over; periods: all that were asked for"),
     SIGMASWEEP_FIELD(collision, status, "1", "whether the row holds what was asked for"),
 };
 
@@ -81,6 +105,7 @@ constexpr std::array timings{
 };
 
 #undef SIGMASWEEP_FIELD
+#undef SIGMASWEEP_VIBRATION
 
 template <class T>
 T load(const Field& field, const Row& row) {
@@ -124,6 +149,7 @@ const Field* find_field(std::string_view name) {
 std::span<const std::string_view> enumerators(FieldType type) {
   switch (type) {
     case FieldType::method: return names_of<Method>();
+    case FieldType::geometry: return names_of<Geometry>();
     case FieldType::wall: return names_of<Wall>();
     case FieldType::integrator: return names_of<Integrator>();
     case FieldType::law: return names_of<Law>();

@@ -1,5 +1,7 @@
 #include "sigmasweep/sweep/formula.hpp"
 
+#include <cstddef>
+
 #include "expression.hpp"
 
 namespace sigmasweep {
@@ -17,5 +19,20 @@ Formula& Formula::operator=(Formula&&) noexcept = default;
 
 double Formula::operator()(const Row& row) { return impl_->expression(row); }
 std::vector<Field> Formula::used() const { return impl_->expression.used(); }
+
+namespace {
+
+/// Some number of a row, under the name of x.
+constexpr Field x_of_row{"x", "1", "the variable", FieldType::real, offsetof(Row, parameters.v0)};
+
+}  // namespace
+
+FunctionOfX::FunctionOfX(const std::string& expression) : formula_(expression, std::span(&x_of_row, 1)) {}
+
+double FunctionOfX::operator()(double x) {
+  Row row;
+  set_number(x_of_row, row, x);
+  return formula_(row);
+}
 
 }  // namespace sigmasweep

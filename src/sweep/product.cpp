@@ -3,6 +3,7 @@
 #include <cassert>
 #include <utility>
 
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "contacts.hpp"
 
 namespace sigmasweep {
@@ -33,6 +34,7 @@ Parameters Product::at(std::uint64_t index) const {
   Parameters parameters = values_at(base_, groups_, index);
   contacts_->give(parameters);
   give_gap(parameters, gap_);
+  give_plate(parameters);
   return parameters;
 }
 

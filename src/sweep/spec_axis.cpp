@@ -29,7 +29,12 @@ void require_allowed(const Entry& entry, const Field& field, double value) {
   if (is_whole(field) && !(std::floor(value) == value && std::abs(value) <= largest_whole))
     refuse_value(entry, "must be a whole number");
   Row row;
-  if (field.name == "width") row.parameters.d = 1e300;  // what it may be depends on d: see require_diameters()
+  Parameters& others = row.parameters;
+  if (field.name == "width") others.d = 1e300;  // what it may be depends on d: see require_diameters()
+  others.geometry = Geometry::vibrated_column;  // which looks at the most; its plate: see require_plate()
+  others.alpha = others.A0 = 1.0;
+  others.periods = 10'000'000;
+  others.transient = 0;
   set_number(field, row, value);
   const std::string why = why_invalid(row.parameters);
   if (!why.empty()) throw SpecError(fmt::format("{}sweep.{}", place(*entry.file, entry.line), why));

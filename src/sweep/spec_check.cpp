@@ -20,21 +20,25 @@ const Setting* first_of(const Way& way, const std::vector<Setting>& settings) {
   return nullptr;
 }
 
-[[noreturn]] void refuse_missing(const Entry& sweep, std::string_view name) {
-  refuse(sweep, fmt::format("'{}' is missing: v0, N, one of s0 and sigma, and tc and epsilon (or instead of these "
-                            "K_over_m and D_n, or a material) are needed", name));
+[[noreturn]] void refuse_missing(const Entry& sweep, std::string_view name, bool vibrated) {
+  const std::string_view needed = vibrated ? "N, one of alpha and A0," : "v0, N, one of s0 and sigma,";
+  refuse(sweep, fmt::format("'{}' is missing: {} and tc and epsilon (or instead of these K_over_m and D_n, or a "
+                            "material) are needed", name, needed));
 }
+
+bool is_vibrated(const Parameters& kind) { return kind.geometry == Geometry::vibrated_column; }
 
 /// Hard spheres have no contact time: the default only gives sigma its unit.
 bool needs_tc(const Parameters& kind) { return kind.method == Method::md || kind.ed_rule == EdRule::tc; }
 
-void require_gap(const Entry& sweep, const std::vector<Setting>& settings) {
-  const Setting* s0 = find(settings, "s0");
-  const Setting* sigma = find(settings, "sigma");
-  if (!s0 && !sigma) refuse(sweep, "one of 's0' and 'sigma' is missing");
-  if (s0 && sigma)
-    refuse((s0->entry.line > sigma->entry.line ? s0 : sigma)->entry,
-           "give s0 or sigma, not both: sigma = s0/(v0 tc)");
+/// Of two parameters that say the same at most one is given, and one where `needed`.
+void require_one_of(const Entry& sweep, const std::vector<Setting>& settings, const Way& names, bool needed,
+                    std::string_view relation) {
+  const Setting *one = find(settings, names[0]), *other = find(settings, names[1]);
+  if (!one && !other && needed) refuse(sweep, fmt::format("one of '{}' and '{}' is missing", names[0], names[1]));
+  if (one && other)
+    refuse((one->entry.line > other->entry.line ? one : other)->entry,
+           fmt::format("give {} or {}, not both: {}", names[0], names[1], relation));
 }
 
 }  // namespace
@@ -73,10 +77,12 @@ void require_one_way(const std::vector<Setting>& settings) {
 }
 
 void require_complete(const Entry& sweep, const std::vector<Setting>& settings, const std::vector<Parameters>& kinds) {
+  const bool all_vibrated = std::ranges::all_of(kinds, is_vibrated);
   const auto require = [&](std::string_view name) {
-    if (!find(settings, name)) refuse_missing(sweep, name);
+    if (!find(settings, name)) refuse_missing(sweep, name, all_vibrated);
   };
-  require("v0");
+  const Field& v0 = *find_field("v0");
+  if (std::ranges::any_of(kinds, [&](const Parameters& kind) { return is_used(v0, kind); })) require("v0");
   if (first_of(by_spring, settings)) {
     require("K_over_m");
   } else if (!first_of(by_material, settings)) {
@@ -84,7 +90,9 @@ void require_complete(const Entry& sweep, const std::vector<Setting>& settings, 
     require("epsilon");
   }
   require("N");
-  require_gap(sweep, settings);
+  require_one_of(sweep, settings, {"s0", "sigma"}, !all_vibrated, "sigma = s0/(v0 tc)");
+  require_one_of(sweep, settings, {"alpha", "A0"}, std::ranges::any_of(kinds, is_vibrated),
+                 "alpha = A0 (2 pi frequency)^2/gravity");
   for (const std::string_view name : {"beta", "gamma"})
     if (!find(settings, name) && std::ranges::any_of(kinds, [&](const Parameters& kind) {
           return is_used(*find_field(name), kind);

@@ -16,11 +16,11 @@ namespace {
 
 constexpr auto plot_keys = std::to_array<std::string_view>(
     {"name", "kind", "x", "y", "x_label", "y_label", "x_scale", "y_scale",
-     "series", "title", "where", "mean_over", "lines", "fit", "guides"});
+     "series", "title", "where", "mean_over", "lines", "fit", "guides", "y_error"});
 constexpr std::array<std::string_view, 3> fit_keys{"form", "from", "to"};
 constexpr std::array<std::string_view, 7> guide_keys{"slope", "y", "label", "through", "where", "from", "to"};
 constexpr std::array<std::string_view, 3> kinds{"points", "trajectories", "stability"};
-constexpr std::array<std::string_view, 2> scales{"linear", "log"};
+constexpr std::array<std::string_view, 2> scales{"linear", "log"}, film_axes{"time", "phase"};
 constexpr std::array<std::string_view, 2> forms{"power", "line"};
 constexpr std::array<std::string_view, 2> run_keys{"manager", "tuple_time_limit"};
 constexpr std::array<std::string_view, 3> managers{"auto", "computes", "dedicated"};
@@ -92,12 +92,23 @@ std::array<double, 2> as_point(const Entry& entry) {
   return {as_finite(coordinates[0]), as_finite(coordinates[1])};
 }
 
+std::string as_function(const Entry& entry) {
+  std::string text = as_string(entry);
+  try {
+    FunctionOfX{text};
+  } catch (const UsageError& error) {
+    refuse_value(entry, error.what());
+  }
+  return text;
+}
+
 GuideSpec read_guide(const Entry& table) {
   GuideSpec guide;
   bool sloped = false;
   for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
     if (entry.name == "label") guide.label = as_string(entry);
     else if (entry.name == "slope") guide.slope = as_finite(entry), sloped = true;
+    else if (entry.name == "y" && entry.node->is_string()) guide.curve = as_function(entry);
     else if (entry.name == "y") guide.y = as_finite(entry);
     else if (entry.name == "through") guide.through = as_point(entry);
     else if (entry.name == "where") guide.where = as_expression<Where>(entry);
@@ -105,8 +116,9 @@ GuideSpec read_guide(const Entry& table) {
     else if (entry.name == "to") guide.to = as_finite(entry);
     else refuse_unknown(entry, guide_keys);
   }
-  if (sloped == guide.y.has_value()) refuse(table, "a guide has either 'slope' or 'y'");
-  if (guide.y && (guide.through || !guide.where.empty())) refuse(table, "'through' and 'where' belong to 'slope'");
+  const bool has_y = guide.y || !guide.curve.empty();
+  if (sloped == has_y) refuse(table, "a guide has either 'slope' or 'y'");
+  if (has_y && (guide.through || !guide.where.empty())) refuse(table, "'through' and 'where' belong to 'slope'");
   if (guide.through && !guide.where.empty()) refuse(table, "give 'through' or 'where', not both");
   if (!(guide.from < guide.to)) refuse(table, "'from' must be less than 'to'");
   return guide;
@@ -114,7 +126,7 @@ GuideSpec read_guide(const Entry& table) {
 
 void require_drawable(const PlotSpec& plot, const Entry& table) {
   for (const GuideSpec& guide : plot.guides) {
-    if (!guide.y && plot.x_log != plot.y_log)
+    if (!guide.y && guide.curve.empty() && plot.x_log != plot.y_log)
       refuse(table, "a guide with a slope needs two logarithmic axes, or two linear ones");
     if (guide.through && plot.x_log && !((*guide.through)[0] > 0.0 && (*guide.through)[1] > 0.0))
       refuse(table, "on logarithmic axes a guide must go through a point with x > 0 and y > 0");
@@ -126,18 +138,27 @@ void require_keys_of(PlotKind kind, const Entry& plot) {
   if (kind == PlotKind::points) return;
   std::vector<std::string_view> keys{"name", "kind", "title", "where"};
   if (kind == PlotKind::stability) keys.insert(keys.end(), {"y", "y_scale"});
+  if (kind == PlotKind::trajectories) keys.emplace_back("x");
   for (const Entry& entry : entries(as_table(plot), *plot.file, plot.path))
     if (std::ranges::find(keys, entry.name) == keys.end())
       refuse(entry, fmt::format("a plot of kind '{}' has no use for it", kinds[static_cast<std::size_t>(kind)]));
 }
 
-PlotSpec read_plot(const Entry& plot) {
-  PlotSpec spec;
-  for (const Entry& entry : entries(as_table(plot), *plot.file, plot.path)) {
+PlotKind kind_of(const std::vector<Entry>& keys) {
+  const auto kind = std::ranges::find(keys, "kind", &Entry::name);
+  return kind == keys.end() ? PlotKind::points : static_cast<PlotKind>(as_one_of(*kind, kinds));
+}
+
+PlotSpec read_plot(const Entry& plot, PlotSpec spec) {
+  const auto keys = entries(as_table(plot), *plot.file, plot.path);
+  spec.kind = kind_of(keys);
+  for (const Entry& entry : keys) {
+    if (entry.name == "kind") continue;
     if (entry.name == "name") spec.name = as_name(entry);
-    else if (entry.name == "kind") spec.kind = static_cast<PlotKind>(as_one_of(entry, kinds));
+    else if (entry.name == "x" && spec.kind == PlotKind::trajectories) spec.by_phase = as_one_of(entry, film_axes) == 1;
     else if (entry.name == "x") spec.x = as_expression<Formula>(entry);
     else if (entry.name == "y") spec.y = as_expression<Formula>(entry);
+    else if (entry.name == "y_error") spec.y_error = as_expression<Formula>(entry);
     else if (entry.name == "x_label") spec.x_label = as_string(entry);
     else if (entry.name == "y_label") spec.y_label = as_string(entry);
     else if (entry.name == "x_scale") spec.x_log = as_one_of(entry, scales) == 1;
@@ -153,20 +174,32 @@ PlotSpec read_plot(const Entry& plot) {
     else refuse_unknown(entry, plot_keys);
   }
   require_drawable(spec, plot);
+  if (!spec.y_error.empty() && !spec.mean_over.empty())
+    refuse(plot, "'y_error' and 'mean_over' conflict: the bars of means are standard deviations");
   require_keys_of(spec.kind, plot);
   return spec;
 }
 
 }  // namespace
 
-std::vector<PlotSpec> read_plots(const Entry& plot) {
-  if (!plot.node->is_array()) return {read_plot(plot)};
+PlotSpec usual_plot(const Grid& grid) {
+  PlotSpec spec;
+  if (std::ranges::any_of(grid.kinds, [](const Parameters& kind) { return kind.geometry == Geometry::column; }))
+    return spec;
+  spec.x = "alpha";
+  spec.y = "h_cm_excess";
+  spec.x_log = false;
+  return spec;
+}
+
+std::vector<PlotSpec> read_plots(const Entry& plot, const PlotSpec& usual) {
+  if (!plot.node->is_array()) return {read_plot(plot, usual)};
   const auto tables = elements(plot);
   if (tables.empty() || tables.size() > max_plots) refuse(plot, fmt::format("1 to {} plots are allowed", max_plots));
   std::vector<PlotSpec> plots;
   std::set<std::string> names;
   for (const Entry& table : tables) {
-    plots.push_back(read_plot(table));
+    plots.push_back(read_plot(table, usual));
     if (names.insert(plots.back().name).second) continue;
     refuse(table, plots.back().name.empty() ? "only one plot may be without a name"
                                             : fmt::format("there is another plot '{}'", plots.back().name));

@@ -9,8 +9,8 @@
 namespace sigmasweep::spec {
 namespace {
 
-constexpr std::array<std::string_view, 9> keys{"integrators", "steps_per_tc", "tolerances", "tuples", "checks",
-                                               "repeats", "seconds", "longest", "seed"};
+constexpr std::array<std::string_view, 10> keys{"integrators", "steps_per_tc", "tolerances", "tuples", "checks",
+                                               "repeats", "seconds", "repeat_seconds", "longest", "seed"};
 constexpr std::uint64_t most_scenes = 10'000, most_tuples = 1'000'000, most_repeats = 1000;
 
 double as_positive(const Entry& entry, double most) {
@@ -43,9 +43,12 @@ void require_scenes(const Entry& table, const Sweep& sweep) {
   for (const std::string& axis : sweep.axes())
     if (axis == "integrator" || axis == "steps_per_tc" || axis == "tolerance")
       refuse(table, fmt::format("'{}' is an axis of [sweep], but [precision] has its own", axis));
-  for (std::uint64_t scene = 0; scene < sweep.size(); ++scene)
+  for (std::uint64_t scene = 0; scene < sweep.size(); ++scene) {
+    if (sweep.at(scene).geometry != Geometry::column)
+      refuse(table, "only geometry = 'column' has an eps_eff to compare integrators by");
     if (sweep.at(scene).method != Method::md)
       refuse(table, "only soft spheres, method = 'md', have integrators to compare");
+  }
 }
 
 }  // namespace
@@ -60,6 +63,7 @@ PrecisionSpec read_precision(const Entry& table, const Sweep& sweep) {
     else if (entry.name == "checks") spec.checks = as_count(entry, 1, most_tuples);
     else if (entry.name == "repeats") spec.repeats = as_count(entry, 1, most_repeats);
     else if (entry.name == "seconds") spec.seconds = as_positive(entry, 1e6);
+    else if (entry.name == "repeat_seconds") spec.repeat_seconds = as_positive(entry, 1e6);
     else if (entry.name == "longest") spec.longest = as_positive(entry, 1e6);
     else if (entry.name == "seed") spec.seed = as_count(entry, 0, INT64_MAX);
     else refuse_unknown(entry, keys);

@@ -24,8 +24,7 @@ constexpr std::size_t short_expression = 64;
 constexpr std::uint64_t most_filtered_slowly = std::uint64_t{1} << 17;
 
 /// Keys of [sweep] that are no parameters.
-constexpr std::array<std::string_view, 3> other_keys{"geometry", "zip", "where"};
-constexpr std::array<std::string_view, 1> geometries{"column"};
+constexpr std::array<std::string_view, 2> other_keys{"zip", "where"};
 
 const Field* parameter(std::string_view name) {
   for (const Field& field : parameter_fields())
@@ -149,7 +148,6 @@ Grid read_sweep(const Entry& sweep) {
   require_known(keys);
   const Entry *zip = nullptr, *where = nullptr;
   for (const Entry& key : keys) {
-    if (key.name == "geometry") as_one_of(key, geometries);
     if (key.name == "zip") zip = &key;
     if (key.name == "where") where = &key;
   }
@@ -163,10 +161,11 @@ Grid read_sweep(const Entry& sweep) {
   require_complete(sweep, settings, kinds);
   require_used(settings, kinds);
   require_diameters(settings, zips, base);
+  require_plate(settings, zips, base);
   require_finite_gap(settings, base);
   require_countable(sweep, groups);
 
-  Grid grid{Product(base, find(settings, "s0") ? Gap::s0 : Gap::sigma, std::move(groups)), {}, {}, kinds, {}};
+  Grid grid{Product(base, find(settings, "sigma") ? Gap::sigma : Gap::s0, std::move(groups)), {}, {}, kinds, {}};
   require_pairs(settings, grid.product);
   for (const Setting& setting : settings) {
     if (!setting.is_axis) continue;

@@ -21,7 +21,9 @@ struct Grid {
 };
 
 Grid read_sweep(const Entry& sweep);
-std::vector<PlotSpec> read_plots(const Entry& plot);
+/// What is plotted where a spec does not say it.
+PlotSpec usual_plot(const Grid& grid);
+std::vector<PlotSpec> read_plots(const Entry& plot, const PlotSpec& usual);
 struct RunTable {
   ManagerRole manager = ManagerRole::automatic;
   std::optional<double> tuple_time_limit{};

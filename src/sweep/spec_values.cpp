@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "contacts.hpp"
 
 namespace sigmasweep::spec {
@@ -22,12 +23,12 @@ std::array<double, 2> ends(const std::vector<Setting>& settings, std::string_vie
   return {low, high};
 }
 
-const Setting& gap_of(const std::vector<Setting>& settings) {
-  const Setting* s0 = find(settings, "s0");
-  return s0 ? *s0 : *find(settings, "sigma");
+/// s0 or sigma, as given; s0 where neither is, as vibrated columns may have it.
+const Field& gap_of(const std::vector<Setting>& settings) {
+  return *find_field(find(settings, "sigma") ? "sigma" : "s0");
 }
 
-Gap kind_of(const Setting& gap) { return gap.field->name == "s0" ? Gap::s0 : Gap::sigma; }
+Gap kind_of(const Field& gap) { return gap.name == "s0" ? Gap::s0 : Gap::sigma; }
 
 void set(Parameters& parameters, const Field& field, double value) {
   Row row;
@@ -108,10 +109,43 @@ void require_diameters(const std::vector<Setting>& settings, const std::vector<Z
   check(width->axis.bounds().second, smallest);
 }
 
+void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base) {
+  const Setting* given = find(settings, find(settings, "A0") ? "A0" : "alpha");
+  if (!given) return;
+  Parameters p;
+  p.geometry = Geometry::vibrated_column;
+  for (const double gravity : ends(settings, "gravity", base.gravity))
+    for (const double frequency : ends(settings, "frequency", base.frequency))
+      for (const double value : ends(settings, given->field->name, 0.0)) {
+        p.gravity = gravity;
+        p.frequency = frequency;
+        p.alpha = p.A0 = 0.0;
+        set(p, *given->field, value);
+        give_plate(p);
+        if (const std::string why = why_invalid(p); !why.empty())
+          refuse(given->entry, fmt::format("with gravity = {}, frequency = {} and {} = {}: {}", gravity, frequency,
+                                           given->field->name, value, why));
+      }
+  const Setting *periods = find(settings, "periods"), *transient = find(settings, "transient");
+  const auto check = [&](double all, double first) {
+    if (first >= all)
+      refuse((transient ? transient : periods)->entry,
+             fmt::format("of {} periods all belong to the transient of {}: it must be less", all, first));
+  };
+  if (const Zip* zip = zip_of(zips, "periods"); transient && zip && zip == zip_of(zips, "transient"))
+    for (std::uint64_t k = 0; k < std::min(periods->axis.size(), most_linear_pairs); ++k)
+      check(periods->axis[k], transient->axis[k]);
+  else
+    check(ends(settings, "periods", static_cast<double>(base.periods))[0],
+          ends(settings, "transient", static_cast<double>(base.transient))[1]);
+}
+
 void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base) {
   if (find(settings, "K_over_m") || find(settings, "material")) return;
   // sigma and s0 are monotonic in v0, tc and each other: the corners of the box that the axes span are the extremes.
-  const Setting& given = gap_of(settings);
+  const Setting* gap = find(settings, gap_of(settings).name);
+  if (!gap) return;
+  const Setting& given = *gap;
   for (const double v0 : ends(settings, "v0", base.v0))
     for (const double tc : ends(settings, "tc", base.tc))
       for (const double value : ends(settings, given.field->name, 0.0)) {
@@ -119,7 +153,7 @@ void require_finite_gap(const std::vector<Setting>& settings, const Parameters& 
         p.v0 = v0;
         p.tc = tc;
         set(p, *given.field, value);
-        if (const std::string why = why_invalid(complete(p, kind_of(given))); !why.empty())
+        if (const std::string why = why_invalid(complete(p, kind_of(*given.field))); !why.empty())
           refuse(given.entry,
                  fmt::format("with v0 = {}, tc = {} and {} = {}: {}", v0, tc, given.field->name, value, why));
       }
@@ -129,7 +163,7 @@ void require_pairs(const std::vector<Setting>& settings, const Product& product)
   const Setting* stiffness = find(settings, "K_over_m");
   if (!stiffness) stiffness = find(settings, "material");
   if (!stiffness) return;
-  const Setting& gap = gap_of(settings);
+  const Field& gap = gap_of(settings);
   const bool linear = !find(settings, "law") || find(settings, "law")->axis.bounds().second == 0.0;
   static_assert(static_cast<int>(Law::hooke) == 0);
   const Parameters& base = product.base();
@@ -138,13 +172,14 @@ void require_pairs(const std::vector<Setting>& settings, const Product& product)
   for (std::uint64_t i = 0; i < size_of(few); ++i) {
     Parameters pair = values_at(base, few, i);
     product.contacts().give(pair);
-    for (const double value : ends(settings, gap.field->name, 0.0)) {
+    for (const double value : ends(settings, gap.name, 0.0)) {
       Parameters p = pair;
-      p.width = 0.0;  // looked at on its own
-      set(p, *gap.field, value);
+      p.width = 0.0;  // looked at on its own, as is the plate
+      p.geometry = Geometry::column;
+      set(p, gap, value);
       give_gap(p, kind_of(gap));
       if (const std::string why = why_invalid(p); !why.empty())
-        refuse(stiffness->entry, fmt::format("with v0 = {} and {} = {}: {}", p.v0, gap.field->name, value, why));
+        refuse(stiffness->entry, fmt::format("with v0 = {} and {} = {}: {}", p.v0, gap.name, value, why));
     }
   }
 }

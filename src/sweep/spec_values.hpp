@@ -11,6 +11,10 @@ namespace sigmasweep::spec {
 /// Diameters are positive: width is not above 1.9 d anywhere.
 void require_diameters(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base);
 
+/// The plate of vibrated columns: alpha and A0 are allowed for all frequencies and gravities that the axes span, and
+/// the transient ends before the periods do.
+void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base);
+
 /// Where tc is given: s0 and sigma are both finite for all v0, tc that the axes span.
 void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base);
 

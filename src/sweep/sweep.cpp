@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -18,7 +19,10 @@ namespace sigmasweep {
 namespace {
 
 constexpr std::array<std::string_view, 6> tables{"title", "sweep", "plot", "run", "trajectory", "precision"};
-constexpr std::array<std::string_view, 7> fixed_columns{"v0", "tc", "s0", "sigma", "N", "epsilon", "method"};
+/// Parameters that are members whether they are axes or not.
+constexpr std::array<std::string_view, 7> of_columns{"v0", "tc", "s0", "sigma", "N", "epsilon", "method"};
+constexpr std::array<std::string_view, 7> of_vibrated_columns{"N", "epsilon", "method", "frequency", "alpha", "A0",
+                                                              "periods"};
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
   spec::require_parsable(text, file);
@@ -29,12 +33,22 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
   }
 }
 
+bool is_vibrated(const Parameters& kind) { return kind.geometry == Geometry::vibrated_column; }
+
+bool is_fixed(const Field& field, const std::vector<Parameters>& kinds) {
+  return std::ranges::any_of(kinds, [&](const Parameters& kind) {
+    std::span<const std::string_view> names = of_columns;
+    if (is_vibrated(kind)) names = of_vibrated_columns;
+    if (field.name == "tc" && (kind.method == Method::md || kind.ed_rule == EdRule::tc)) return true;
+    return std::ranges::find(names, field.name) != names.end();
+  });
+}
+
 std::vector<Field> columns_of(const spec::Grid& grid) {
   std::vector<Field> columns;
-  for (const Field& field : parameter_fields()) {
-    const bool fixed = std::find(fixed_columns.begin(), fixed_columns.end(), field.name) != fixed_columns.end();
-    if (fixed || std::find(grid.axes.begin(), grid.axes.end(), &field) != grid.axes.end()) columns.push_back(field);
-  }
+  for (const Field& field : parameter_fields())
+    if (is_fixed(field, grid.kinds) || std::ranges::find(grid.axes, &field) != grid.axes.end())
+      columns.push_back(field);
   for (const Field& field : result_fields())
     if (std::ranges::any_of(grid.kinds, [&](const Parameters& kind) { return is_used(field, kind); }))
       columns.push_back(field);
@@ -61,23 +75,27 @@ Sweep::Sweep(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 Sweep Sweep::parse(std::string_view text, const std::string& file) {
   const toml::table document = parse_toml(text, file);
   std::string title;
-  std::vector<PlotSpec> plots(1);
   spec::RunTable run;
   std::optional<spec::Grid> grid;
   std::optional<spec::Entry> trajectory, precision, plot;
   for (const spec::Entry& entry : spec::entries(document, file, "")) {
     if (entry.name == "title") title = spec::as_string(entry);
     else if (entry.name == "sweep") grid = spec::read_sweep(entry);
-    else if (entry.name == "plot") plots = spec::read_plots(*(plot = entry));
+    else if (entry.name == "plot") plot = entry;
     else if (entry.name == "run") run = spec::read_run(entry);
     else if (entry.name == "trajectory") trajectory = entry;
     else if (entry.name == "precision") precision = entry;
     else spec::refuse_unknown(entry, tables);
   }
   if (!grid) throw SpecError(fmt::format("{}: the table [sweep] is missing", file));
-  for (const PlotSpec& one : plots)
+  std::vector<PlotSpec> plots{spec::usual_plot(*grid)};
+  if (plot) plots = spec::read_plots(*plot, plots[0]);
+  for (const PlotSpec& one : plots) {
     if (one.kind == PlotKind::trajectories && !trajectory)
       spec::refuse(*plot, "kind = 'trajectories' needs a table [trajectory]");
+    if (one.by_phase && std::ranges::none_of(grid->kinds, is_vibrated))
+      spec::refuse(*plot, "x = 'phase' needs geometry = 'vibrated-column'");
+  }
 
   std::vector<std::string> axes;
   for (const Field* field : grid->axes) axes.emplace_back(field->name);

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <string_view>
+
+#include "sigmasweep/scene/law.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -13,6 +17,9 @@ bool has_own_stiffness(const Parameters& p) { return p.K_over_m > 0.0 || p.mater
 /// Hard spheres know only epsilon: the law counts where epsilon follows from it.
 bool has_law(const Parameters& p) { return is_soft(p) || has_own_stiffness(p); }
 
+bool is_vibrated(const Parameters& p) { return p.geometry == Geometry::vibrated_column; }
+bool is_linear(const Parameters& p) { return exponents(p).linear(); }
+
 struct Rule {
   std::string_view name;
   bool (*is_used)(const Parameters&);
@@ -20,18 +27,25 @@ struct Rule {
 };
 
 bool by_contact(const Parameters& p) { return !has_own_stiffness(p); }
+/// Hard spheres of the rule lrv have no contact time; flying columns measure their gaps by it, with sigma.
+bool has_contact_time(const Parameters& p) {
+  return by_contact(p) && (!is_vibrated(p) || is_soft(p) || p.ed_rule == EdRule::tc);
+}
+/// Vibrated columns have no speed of their own, but laws that are not linear have tc and epsilon at one.
+bool has_speed(const Parameters& p) { return !is_vibrated(p) || (has_law(p) && !is_linear(p)); }
+bool has_overlaps(const Parameters& p) { return !is_vibrated(p) || is_soft(p); }
 bool by_spring(const Parameters& p) { return p.K_over_m > 0.0 && p.material == Material::none; }
 bool by_material(const Parameters& p) { return p.material != Material::none; }
 bool has_own_diameter(const Parameters& p) { return p.material == Material::none; }
 bool has_exponents(const Parameters& p) { return p.law == Law::power && has_law(p); }
 bool has_fixed_steps(const Parameters& p) { return is_soft(p) && p.integrator != Integrator::exact; }
-bool has_given_steps(const Parameters& p) { return has_fixed_steps(p) && p.steps_per_tc > 0.0; }
 bool has_tolerance(const Parameters& p) { return is_soft(p) && !has_given_steps(p); }
 bool is_hard(const Parameters& p) { return p.method == Method::ed; }
 bool is_random(const Parameters& p) { return p.width > 0.0 || is_shifted(p); }
 
 constexpr auto rules = std::to_array<Rule>({
-    {"tc", by_contact, "stiffness and damping given by tc and epsilon"},
+    {"v0", has_speed, "geometry = 'column', or a law that is not linear"},
+    {"tc", has_contact_time, "stiffness and damping given by tc and epsilon; of vibrated columns method = 'md'"},
     {"epsilon", by_contact, "stiffness and damping given by tc and epsilon"},
     {"K_over_m", by_spring, "stiffness and damping given by K_over_m and D_n"},
     {"D_n", by_spring, "stiffness and damping given by K_over_m and D_n"},
@@ -46,8 +60,20 @@ constexpr auto rules = std::to_array<Rule>({
     {"integrator", is_soft, "method = 'md'"},
     {"steps_per_tc", has_given_steps, "integrator = 'gear5', 'verlet' or 'rk4'"},
     {"predicted_growth", has_fixed_steps, "integrator = 'gear5', 'verlet' or 'rk4'"},
+    {"x_max", has_overlaps, "geometry = 'column', or method = 'md'"},
     {"tolerance", has_tolerance, "method = 'md', with integrator = 'exact' or without steps_per_tc"},
 });
+
+/// What only one geometry has, beside other rules.
+constexpr auto of_columns = std::to_array<std::string_view>(
+    {"sigma", "tolerance", "eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "predicted_growth"});
+constexpr auto of_vibrated_columns = std::to_array<std::string_view>(
+    {"gravity", "frequency", "alpha", "A0", "periods", "transient", "h_cm", "h_cm_error", "h_cm_excess", "separation",
+     "separation_max", "E_r", "cm_period", "power_in", "power_lost", "imbalance"});
+
+bool is_among(std::span<const std::string_view> names, const Field& field) {
+  return std::ranges::find(names, field.name) != names.end();
+}
 
 const Rule* rule_of(const Field& field) {
   const auto rule = std::ranges::find(rules, field.name, &Rule::name);
@@ -57,13 +83,21 @@ const Rule* rule_of(const Field& field) {
 }  // namespace
 
 bool is_used(const Field& field, const Parameters& tuple) {
+  if (is_vibrated(tuple) ? is_among(of_columns, field) : is_among(of_vibrated_columns, field)) return false;
   const Rule* rule = rule_of(field);
   return rule == nullptr || rule->is_used(tuple);
 }
 
-std::string_view needed_for(const Field& field) {
+std::string needed_for(const Field& field) {
   const Rule* rule = rule_of(field);
-  return rule == nullptr ? std::string_view{} : rule->needs;
+  std::string needs(rule == nullptr ? std::string_view{} : rule->needs);
+  const std::string_view geometry = is_among(of_columns, field)            ? "geometry = 'column'"
+                                    : is_among(of_vibrated_columns, field) ? "geometry = 'vibrated-column'"
+                                                                           : "";
+  if (!geometry.empty()) needs = std::string(geometry) + (needs.empty() ? "" : ", and ") + needs;
+  return needs;
 }
+
+bool has_given_steps(const Parameters& tuple) { return has_fixed_steps(tuple) && tuple.steps_per_tc > 0.0; }
 
 }  // namespace sigmasweep

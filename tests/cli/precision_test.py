@@ -43,7 +43,8 @@ class Precision(unittest.TestCase):
         self.directory.cleanup()
 
     def run_program(self, *arguments, before=()):
-        return subprocess.run([*before, PROGRAM, *arguments], capture_output=True, text=True, timeout=100, cwd=self.path)
+        return subprocess.run([*before, PROGRAM, *arguments], capture_output=True, text=True, timeout=100,
+                              cwd=self.path)
 
     def study(self, *arguments, before=()):
         ended = self.run_program("precision", "tiny.toml", *arguments, before=before)
@@ -84,7 +85,8 @@ class Precision(unittest.TestCase):
 
     def test_ranks_share_the_scenes(self):
         _, alone, _, _ = self.study("--no-plots", "--tuples", "5", "--repeats", "1")
-        _, shared, attributes, _ = self.study("--no-plots", "--tuples", "5", "--repeats", "1", before=[*MPIEXEC, "-n", "3"])
+        _, shared, attributes, _ = self.study("--no-plots", "--tuples", "5", "--repeats", "1",
+                                              before=[*MPIEXEC, "-n", "3"])
         self.assertEqual(attributes["ranks"], 3)
         for name in alone.dtype.names:
             if name not in ("run_time", "rank", "ranks_per_core"):

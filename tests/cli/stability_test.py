@@ -40,7 +40,8 @@ class Stability(unittest.TestCase):
         self.directory.cleanup()
 
     def run_program(self, *arguments, before=()):
-        return subprocess.run([*before, PROGRAM, *arguments], capture_output=True, text=True, timeout=100, cwd=self.path)
+        return subprocess.run([*before, PROGRAM, *arguments], capture_output=True, text=True, timeout=100,
+                              cwd=self.path)
 
     def rows(self):
         with h5py.File(self.path / "small.h5") as file:
@@ -57,12 +58,13 @@ class Stability(unittest.TestCase):
         self.assertTrue(math.isnan(rows["eps_eff"][unstable][0]))
         xml.etree.ElementTree.parse(self.path / "small.svg")
         self.assertTrue((self.path / "small.png").read_bytes().startswith(b"\x89PNG"))
-        self.assertEqual(sorted(p.name for p in self.path.iterdir()), ["small.h5", "small.png", "small.svg", "small.toml"])
+        self.assertEqual(sorted(p.name for p in self.path.iterdir()),
+                         ["small.h5", "small.png", "small.svg", "small.toml"])
         again = self.run_program("stability", "small.toml", "-q", "--no-plots")
         self.assertEqual((again.returncode, again.stdout), (0, ended.stdout))
 
-    # gear5 with one evaluation a step is stable while about 2 zeta omega_max dt < 0.16; for N = 10 the stiffest mode has
-    # 2 zeta omega = 3.978 L/tc, L = -ln 0.05.
+    # gear5 with one evaluation a step is stable while about 2 zeta omega_max dt < 0.16; for N = 10 the stiffest mode
+    # has 2 zeta omega = 3.978 L/tc, L = -ln 0.05.
     def test_the_predicted_limit(self):
         ended = self.run_program("stability", "small.toml", "--no-plots")
         block = ended.stdout.split("integrator = gear5, N = 10\n")[1]
@@ -86,7 +88,8 @@ class Stability(unittest.TestCase):
             (self.path / "map.svg").unlink()
 
     def test_refusals(self):
-        (self.path / "exact.toml").write_text("[sweep]\nN = 2\nepsilon = 0.9\nv0 = 1.0\ntc = 1e-5\nsigma = [0.0, 1.0]\n")
+        (self.path / "exact.toml").write_text("[sweep]\nN = 2\nepsilon = 0.9\nv0 = 1.0\ntc = 1e-5\n"
+                                              "sigma = [0.0, 1.0]\n")
         (self.path / "extra.toml").write_text(SPEC + 'series = "N"\n')
         for spec, code, word in (("exact.toml", 65, "gear5"), ("extra.toml", 65, "no use for it"),
                                  ("absent.toml", 66, "absent.toml")):

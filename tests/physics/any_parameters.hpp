@@ -11,7 +11,7 @@
 #include "sigmasweep/scene/parameters.hpp"
 
 /// Random tuples from the whole box of parameters, for RapidCheck. A failing case is shrunk and printed with what
-/// repeats it; RC_PARAMS="seed=... max_success=..." runs others. A case that fails gets a test of its own, with its name.
+/// repeats it; RC_PARAMS="seed=... max_success=..." runs others. A case that fails gets a test with its name.
 namespace sigmasweep::any_parameters {
 
 inline std::string shown(const Parameters& p) {

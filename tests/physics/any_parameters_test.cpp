@@ -45,7 +45,8 @@ void check_collision(const Parameters& p) {
 }
 
 TEST(AnyParameters, GiveAConsistentResultOrAStatus) {
-  EXPECT_TRUE(rc::check("simulate() returns, and its numbers fit together", [] { check_collision(drawn(Solver::any)); }));
+  EXPECT_TRUE(
+      rc::check("simulate() returns, and its numbers fit together", [] { check_collision(drawn(Solver::any)); }));
 }
 
 // Powers of two in v0 and tc leave every digit of sigma, and so of the result.

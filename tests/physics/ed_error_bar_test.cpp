@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <string>
 
 #include "plain_hard_spheres.hpp"
@@ -9,6 +8,8 @@
 #include "sigmasweep/scene/real.hpp"
 #include "sigmasweep/solve/column.hpp"
 #include "sigmasweep/solve/hard_spheres.hpp"
+#include "support/error_bars.hpp"
+#include "support/random.hpp"
 
 /// Is the error bar of hard spheres true?
 namespace sigmasweep {
@@ -16,10 +17,7 @@ namespace {
 
 using plain_hard_spheres::Plain, plain_hard_spheres::Wide;
 
-Parameters random_tuple(std::mt19937_64& random) {
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
+Parameters random_tuple(Random& uniform) {
   Parameters p;
   p.method = Method::ed;
   p.N = static_cast<std::int64_t>(uniform(1.0, 13.0));
@@ -29,15 +27,13 @@ Parameters random_tuple(std::mt19937_64& random) {
   p.sigma = uniform(0.0, 1.0) < 0.15 ? 0.0 : std::pow(10.0, uniform(-2.0, 2.5));
   if (uniform(0.0, 1.0) < 0.6) p.width = p.d * uniform(0.05, 1.8);
   if (uniform(0.0, 1.0) < 0.6) p.random_separation = Flag::yes;
-  p.seed = static_cast<std::int64_t>(random() >> 1);
+  p.seed = static_cast<std::int64_t>(uniform.bits() >> 1);
   return complete(p, Gap::sigma);
 }
 
 TEST(HardSpheresErrorBar, HoldsForRandomColumns) {
-  const std::uint64_t seed = 20240918;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
-  std::mt19937_64 random(seed);
-  int results = 0, held = 0;
+  Random random(20240918);
+  ErrorBars bars;
   for (int i = 0; i < 400; ++i) {
     const Parameters p = random_tuple(random);
     const Collision c = simulate_hard_spheres(p);
@@ -48,12 +44,10 @@ TEST(HardSpheresErrorBar, HoldsForRandomColumns) {
     Plain plain(column, p.ed_rule);
     if (!is_success(c.status) || !plain.run(20'000)) continue;  // long collapses take the plain program minutes
     const double error = std::fabs(static_cast<double>(Wide(c.eps_eff) - plain.eps_eff(Wide(column.speed))));
-    ++results;
-    held += error <= c.eps_eff_error;
+    bars.see(error, c.eps_eff_error);
   }
-  EXPECT_GE(results, 300);
   // Columns near the threshold of collapse may come apart again below the resolution of the clock: 1 of 1000.
-  EXPECT_GE(held, 0.99 * results) << held << " of " << results;
+  bars.expect_true(300);
 }
 
 }  // namespace

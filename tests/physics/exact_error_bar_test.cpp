@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
-#include <vector>
 
 #include "sigmasweep/scene/real.hpp"
 #include "sigmasweep/solve/exact.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "support/error_bars.hpp"
+#include "support/random.hpp"
 
 namespace {
 
@@ -32,48 +32,37 @@ double true_error(const Parameters& p, const Collision& c) {
 }
 
 TEST(ErrorBar, HoldsForARandomThousand) {
-  const unsigned seed = 20240917;
-  SCOPED_TRACE(seed);
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  int results = 0, held = 0;
-  std::vector<double> overestimates;
+  Random uniform(20240917);
+  ErrorBars bars;
   for (int i = 0; i < 1000; ++i) {
     Parameters p;
-    p.N = std::int64_t(std::exp(uniform(random) * std::log(26.0)));
-    p.epsilon = 0.1 + 0.9 * uniform(random);
-    p.sigma = uniform(random) < 0.1 ? 0.0 : std::pow(10.0, -6.0 + 10.0 * uniform(random));
+    p.N = std::int64_t(std::exp(uniform() * std::log(26.0)));
+    p.epsilon = 0.1 + 0.9 * uniform();
+    p.sigma = uniform() < 0.1 ? 0.0 : std::pow(10.0, -6.0 + 10.0 * uniform());
     p = complete(p, Gap::sigma);
     const Collision c = simulate(p);
     ASSERT_TRUE(c.status == Status::ok || c.status == Status::tolerance_missed);
     ASSERT_EQ(c.status == Status::ok, c.eps_eff_error <= p.tolerance);
     if (c.status != Status::ok) continue;  // says of itself that it is no result to 1e-10
-    const double error = true_error(p, c);
-    ++results;
-    held += error <= c.eps_eff_error;
-    if (error > 0.0) overestimates.push_back(c.eps_eff_error / error);
+    bars.see(true_error(p, c), c.eps_eff_error);
   }
-  EXPECT_GE(results, 850);
-  EXPECT_GE(held, 0.99 * results) << held << " of " << results;
-  std::sort(overestimates.begin(), overestimates.end());
-  EXPECT_LE(overestimates[overestimates.size() / 2], 100.0);
+  bars.expect_true(850);
+  bars.expect_useful(100.0);
 }
 
 // Tolerances for which short series are tried first, and one that takes all digits. The reference is the same tuple at
 // 1e-12, with an error bar of its own (HoldsForARandomThousand), and at 1e-13 quadruple precision.
 TEST(ErrorBar, HoldsAtEveryTolerance) {
-  const unsigned seed = 31;
-  SCOPED_TRACE(seed);
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Random uniform(31);
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-13}) {
-    int results = 0, held = 0;
+    SCOPED_TRACE(tolerance);
+    ErrorBars bars;
     for (int i = 0; i < 300; ++i) {
       Parameters p;
-      p.N = std::int64_t(std::exp(uniform(random) * std::log(tolerance < 1e-12 ? 12.0 : 60.0)));
-      p.epsilon = 0.1 + 0.9 * uniform(random);
-      p.sigma = uniform(random) < 0.1 ? 0.0 : std::pow(10.0, -6.0 + 8.0 * uniform(random));
-      if (uniform(random) < 0.25) p.width = p.d * uniform(random);
+      p.N = std::int64_t(std::exp(uniform() * std::log(tolerance < 1e-12 ? 12.0 : 60.0)));
+      p.epsilon = 0.1 + 0.9 * uniform();
+      p.sigma = uniform() < 0.1 ? 0.0 : std::pow(10.0, -6.0 + 8.0 * uniform());
+      if (uniform() < 0.25) p.width = p.d * uniform();
       p.tolerance = tolerance;
       p = complete(p, Gap::sigma);
       const Collision c = simulate(p);
@@ -85,37 +74,30 @@ TEST(ErrorBar, HoldsAtEveryTolerance) {
       const double error = tolerance < 1e-12
                                ? true_error(p, c)
                                : std::max(0.0, std::abs(better.eps_eff - c.eps_eff) - better.eps_eff_error);
-      ++results;
-      held += error <= c.eps_eff_error;
+      bars.see(error, c.eps_eff_error);
       EXPECT_LE(error, tolerance) << "N=" << p.N << " epsilon=" << p.epsilon << " sigma=" << p.sigma;
     }
-    EXPECT_GE(results, 200) << tolerance;
-    EXPECT_GE(held, 0.99 * results) << tolerance;
+    bars.expect_true(200);
   }
 }
 
 // Wide gaps and strong losses: flights many decades longer than the contacts that they lead to, in which a clock that
 // counted all of them would lose the moments of a contact.
 TEST(ErrorBar, HoldsForWideGaps) {
-  const unsigned seed = 7;
-  SCOPED_TRACE(seed);
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  int results = 0, held = 0;
+  Random uniform(7);
+  ErrorBars bars;
   for (int i = 0; i < 250; ++i) {
     Parameters p;
-    p.N = 1 + std::int64_t(10.0 * uniform(random));
-    p.epsilon = uniform(random) < 0.5 ? 1e-3 : std::pow(10.0, -3.0 * uniform(random));
-    p.sigma = std::pow(10.0, 4.0 + 8.0 * uniform(random));
-    p.wall = uniform(random) < 0.5 ? Wall::matched : Wall::paper;
+    p.N = 1 + std::int64_t(10.0 * uniform());
+    p.epsilon = uniform() < 0.5 ? 1e-3 : std::pow(10.0, -3.0 * uniform());
+    p.sigma = std::pow(10.0, 4.0 + 8.0 * uniform());
+    p.wall = uniform() < 0.5 ? Wall::matched : Wall::paper;
     p = complete(p, Gap::sigma);
     const Collision c = simulate(p);
     if (c.status != Status::ok) continue;
-    ++results;
-    held += true_error(p, c) <= c.eps_eff_error;
+    bars.see(true_error(p, c), c.eps_eff_error);
   }
-  EXPECT_GE(results, 150);  // the others are chaotic, and say so
-  EXPECT_GE(held, 0.99 * results) << held << " of " << results;
+  bars.expect_true(150);  // the others are chaotic, and say so
 }
 
 // Long bounce sequences that no double, and some that no type, can follow.

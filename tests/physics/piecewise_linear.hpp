@@ -28,7 +28,8 @@ class Solver {
  public:
   /// `step` must be short against the fastest motion. Work of the dashpots only if asked: it is slow.
   Solver(const Column<double>& column, double step, bool work = false)
-      : column_(column), n_(column.N), step_(step), work_(work), closed_(std::size_t(n_), false), z_(Vector::Zero(2 * n_)) {
+      : column_(column), n_(column.N), step_(step), work_(work), closed_(std::size_t(n_), false),
+        z_(Vector::Zero(2 * n_)) {
     for (Eigen::Index k = 1; k < n_; ++k) z_(k) = -Scalar(column.initial_gap(std::size_t(k)));
     z_(n_) = column.speed;
     for (Eigen::Index k = 0; k < n_; ++k) closed_[std::size_t(k)] = z_(k) == 0;
@@ -57,7 +58,9 @@ class Solver {
     return true;
   }
 
-  Scalar inverse_mass(Eigen::Index bead) const { return column_.mass.empty() ? 1 : 1 / Scalar(column_.mass[std::size_t(bead)]); }
+  Scalar inverse_mass(Eigen::Index bead) const {
+    return column_.mass.empty() ? 1 : 1 / Scalar(column_.mass[std::size_t(bead)]);
+  }
   Scalar reduced(Eigen::Index k) const { return 1 / (inverse_mass(k) + (k > 0 ? inverse_mass(k - 1) : 0)); }
   Scalar spring(Eigen::Index k) const { return k == 0 ? column_.K_wall : column_.K; }
   /// D_n m_ij, m_ij = 2 m_red; at the wall D_n m.

@@ -8,24 +8,17 @@
 #include "piecewise_linear.hpp"
 #include "sigmasweep/solve/exact.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "support/soft_column.hpp"
 
 namespace {
 
 using namespace sigmasweep;
 
-Parameters tuple(std::int64_t N, double epsilon, double sigma) {
-  Parameters p;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.sigma = sigma;
-  return complete(p, Gap::sigma);
-}
-
 template <class Real>
 double eps_eff(const Column<Real>& column) {
   const auto outcome = exact_collision(column);
   EXPECT_EQ(outcome.status, Status::ok);
-  return double(energies<Real>(outcome.velocity, column.speed, column.mass).eps_eff);
+  return eps_eff(column, outcome);
 }
 
 /// A wall with `ratio` times a pair's spring; its dashpot so that the wall's damping ratio stays what it is.
@@ -44,7 +37,7 @@ TEST(Stiff, WallsOfAnyStiffness) {
     for (const std::int64_t N : {1, 2, 3, 6})
       for (const double epsilon : {1.0, 0.9, 0.5})
         for (const double sigma : {0.0, 0.5}) {
-          const Parameters p = tuple(N, epsilon, sigma);
+          const Parameters p = soft_column(N, epsilon, sigma);
           const double value = eps_eff(with_wall<double>(p, ratio));
           SCOPED_TRACE(testing::Message()
                        << "ratio " << ratio << " N " << N << " eps " << epsilon << " sigma " << sigma);
@@ -59,7 +52,7 @@ TEST(Stiff, WallsOfAnyStiffness) {
 // Against the matrix exponential, whose steps are set by the stiffer of the two.
 TEST(Stiff, WallsMoveAsTheMatrixExponentialSays) {
   for (const double ratio : {0.05, 5.0, 100.0}) {
-    const auto column = with_wall<double>(tuple(3, 0.7, 0.1), ratio);
+    const auto column = with_wall<double>(soft_column(3, 0.7, 0.1), ratio);
     const auto expected = piecewise_linear::Solver(column, 0.02 / std::sqrt(std::max(1.0, ratio))).run();
     const auto outcome = exact_collision(column);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(outcome.velocity[k], expected.velocity[k], 1e-11) << ratio;
@@ -71,7 +64,7 @@ TEST(Stiff, LosesWhatTheDashpotsTake) {
   for (const double epsilon : {0.5, 1e-3, 1e-6})
     for (const std::int64_t N : {1, 2, 3})
       for (const double sigma : {0.0, 0.5}) {
-        const auto column = reduced_column<double>(tuple(N, epsilon, sigma));
+        const auto column = reduced_column<double>(soft_column(N, epsilon, sigma));
         const auto expected = piecewise_linear::Solver(column, 0.005, true).run();
         const double kept = eps_eff(column);
         EXPECT_NEAR(1.0 - kept * kept, 2.0 * expected.dashpot_work / double(N), 1e-11)
@@ -81,7 +74,7 @@ TEST(Stiff, LosesWhatTheDashpotsTake) {
 
 // A very stiff wall is a hard one: instant, with the wall's restitution. What is left is its contact time, 1e-4 tc.
 TEST(Stiff, AStiffWallIsAHardWall) {
-  const Parameters p = tuple(1, 0.6, 0.0);
+  const Parameters p = soft_column(1, 0.6, 0.0);
   for (const double ratio : {1.0, 1e8})
     EXPECT_NEAR(eps_eff(with_wall<double>(p, ratio)), reduced_column<double>(p).eps_wall, 1e-13);
 }
@@ -90,7 +83,7 @@ TEST(Stiff, AStiffWallIsAHardWall) {
 TEST(Stiff, MassesMayDifferByAMillion) {
   double largest = 1.0;
   for (std::int64_t seed = 0; seed < 20; ++seed) {
-    Parameters p = tuple(12, 0.9, seed % 2 == 0 ? 0.0 : 0.3);
+    Parameters p = soft_column(12, 0.9, seed % 2 == 0 ? 0.0 : 0.3);
     p.width = 1.99 * p.d;
     p.seed = seed;
     ASSERT_EQ(why_invalid(p), "");
@@ -112,7 +105,7 @@ TEST(Stiff, MassesMayDifferByAMillion) {
 // Gaps on any scale beside each other: a gap too small to matter is none.
 TEST(Stiff, MixedGaps) {
   for (const double epsilon : {1.0, 0.9, 0.3}) {
-    Column<double> column = reduced_column<double>(tuple(6, epsilon, 0.2));
+    Column<double> column = reduced_column<double>(soft_column(6, epsilon, 0.2));
     column.gaps = {0.2, 1e-300, 0.2, 1e-16, 0.0, 1.5};
     Column<double> closed = column;
     closed.gaps = {0.2, 0.0, 0.2, 0.0, 0.0, 1.5};

@@ -6,8 +6,8 @@
 #include "sigmasweep/scene/parameters.hpp"
 
 /// Results of independent programs (Taylor series of order 24 to 34 in long double and quadruple precision, normal
-/// modes and DOP853 for soft spheres; 100 and 200 digit arithmetic for hard ones), at least two methods each. They agree to
-/// the digits given here.
+/// modes and DOP853 for soft spheres; 100 and 200 digit arithmetic for hard ones), at least two methods each. They
+/// agree to the digits given here.
 namespace sigmasweep::reference {
 
 /// A column of soft spheres, wall = paper, v0 = tc = m = 1.

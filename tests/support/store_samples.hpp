@@ -72,8 +72,11 @@ inline Row row(std::uint64_t index, std::uint64_t variant = 0) {
   r.index = index;
   Parameters& p = r.parameters;
   for (double* x : {&p.v0, &p.tc, &p.s0, &p.sigma, &p.epsilon, &p.d, &p.steps_per_tc, &p.tolerance, &p.K_over_m, &p.D_n,
-                    &p.beta, &p.gamma, &p.width})
+                    &p.beta, &p.gamma, &p.width, &p.gravity, &p.frequency, &p.alpha, &p.A0})
     *x = real();
+  p.periods = static_cast<std::int64_t>(next() >> 20);
+  p.transient = static_cast<std::int64_t>(next() >> 20);
+  p.geometry = static_cast<Geometry>(next() % 2);
   p.N = static_cast<std::int64_t>(next() >> 20);
   p.method = static_cast<Method>(next() % 2);
   p.wall = static_cast<Wall>(next() % 2);
@@ -89,8 +92,12 @@ inline Row row(std::uint64_t index, std::uint64_t variant = 0) {
   if (index % 5 == 2) c.t_k = std::numeric_limits<double>::infinity();
   if (index % 5 == 3) c.x_max = -0.0;
   if (index % 5 == 4) c.v_cm = std::numeric_limits<double>::denorm_min();
+  Vibration& v = c.vibration;
+  for (double* x : {&v.h_cm, &v.h_cm_error, &v.h_cm_excess, &v.separation, &v.separation_max, &v.E_r, &v.cm_period,
+                    &v.power_in, &v.power_lost, &v.imbalance})
+    *x = real();
   c.contacts = next();
-  c.end = static_cast<End>(next() % 3);
+  c.end = static_cast<End>(next() % 4);
   c.status = static_cast<Status>(next() % 9);
   r.timing.run_time = real();
   r.timing.predicted_time = real();

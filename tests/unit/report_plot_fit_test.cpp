@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "../../src/report/plot_figure.hpp"
@@ -150,6 +151,61 @@ TEST(PlotScript, ShortLogarithmicAxesHaveLabels) {
   EXPECT_NE(plot::gnuplot_script(figure, plot::Form::svg).find("set xtics ('3.2' "), std::string::npos);
 }
 
+Row vibrated(double alpha, double excess, double error, Method method = Method::md) {
+  Row row;
+  row.parameters.geometry = Geometry::vibrated_column;
+  row.parameters.alpha = alpha;
+  row.parameters.method = method;
+  row.collision.vibration.h_cm_excess = excess;
+  row.collision.vibration.h_cm_error = error;
+  row.collision.status = Status::ok;
+  return row;
+}
+
+TEST(PlotFigure, GuidesMayBeExpressionsOfX) {
+  const std::vector<Row> rows{vibrated(1.0, 1e-3, 1e-5), vibrated(20.0, 0.3, 1e-3)};
+  PlotSpec spec;
+  spec.x = "alpha";
+  spec.y = "h_cm_excess";
+  spec.x_log = false;
+  spec.guides = {{.label = "square", .curve = "0.5e-3*x^2", .from = 2.0}, {.label = "root", .curve = "sqrt(x - 30)"}};
+  const auto figure = plot::figure_of(rows, spec, "");
+  ASSERT_EQ(figure.guides.size(), 2u);
+  const auto& square = figure.guides[0].path;
+  ASSERT_GT(square.size(), 100u);
+  EXPECT_NEAR(square.front().x, 2.0, 1e-14);  // rounding of the way along the axis and back
+  EXPECT_NEAR(square.back().x, figure.x.to, 1e-14);
+  for (const plot::Point& point : square) EXPECT_NEAR(point.y, 0.5e-3 * point.x * point.x, 1e-16);
+  EXPECT_TRUE(figure.guides[1].path.empty());  // nowhere a number
+  EXPECT_NE(plot::gnuplot_script(figure, plot::Form::svg).find("title 'square'"), std::string::npos);
+  spec.guides = {{.label = "bad", .curve = "0.5*alpha"}};
+  EXPECT_THROW(plot::figure_of(rows, spec, ""), UsageError);
+}
+
+TEST(PlotFigure, HeightsHaveErrorBars) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Row> rows{vibrated(2.0, 1e-3, 1e-5), vibrated(4.0, 2e-3, nan),
+                              vibrated(4.0, 3e-3, 3e-5, Method::ed)};
+  PlotSpec spec;
+  spec.x = "alpha";
+  spec.y = "h_cm_excess";
+  spec.x_log = false;
+  spec.series = {"method"};
+  auto figure = plot::figure_of(rows, spec, "");
+  ASSERT_EQ(figure.curves.size(), 2u);
+  EXPECT_FALSE(figure.curves[1].line);  // hard spheres as symbols, with bars
+  ASSERT_EQ(figure.curves[0].points.size(), 2u);
+  EXPECT_EQ(figure.curves[0].points[0].deviation, 1e-5);
+  EXPECT_EQ(figure.curves[0].points[1].deviation, 0.0);  // unknown
+  EXPECT_EQ(figure.curves[1].points.at(0).deviation, 3e-5);
+  EXPECT_NE(plot::gnuplot_script(figure, plot::Form::svg).find("with yerrorbars"), std::string::npos);
+  spec.y = "1000*h_cm_excess";
+  EXPECT_TRUE(plot::figure_of(rows, spec, "").curves[1].line);
+  spec.y_error = "1000*h_cm_error";
+  figure = plot::figure_of(rows, spec, "");
+  EXPECT_DOUBLE_EQ(figure.curves[0].points[0].deviation, 1e-2);
+}
+
 TEST(PlotFigure, GuidesThroughAPointAndThroughTheEndOfASeries) {
   std::vector<Row> rows;
   for (const double sigma : {1.0, 10.0, 100.0}) rows.push_back(make_row(sigma, 0.5 / sigma));
@@ -161,13 +217,13 @@ TEST(PlotFigure, GuidesThroughAPointAndThroughTheEndOfASeries) {
                  {.label = "d", .slope = 1.0, .where = "sigma > 1000"}};
   const auto figure = plot::figure_of(rows, spec, "");
   ASSERT_EQ(figure.guides.size(), 3u);  // nothing to anchor d at
-  EXPECT_NEAR(figure.guides[0].from.y, 0.5, 1e-15);
-  EXPECT_NEAR(figure.guides[0].to.y, 1.0, 1e-15);
+  EXPECT_NEAR(figure.guides[0].path.front().y, 0.5, 1e-15);
+  EXPECT_NEAR(figure.guides[0].path.back().y, 1.0, 1e-15);
   const auto& b = figure.guides[1];
-  EXPECT_NEAR(b.from.y * std::sqrt(b.from.x), 0.05 * std::sqrt(10.0), 1e-14);  // through (10, 0.05)
-  EXPECT_EQ(b.to.x, figure.x.to);
-  EXPECT_EQ(figure.guides[2].from.y, 0.01);
-  EXPECT_EQ(figure.guides[2].to.y, 0.01);
+  EXPECT_NEAR(b.path.front().y * std::sqrt(b.path.front().x), 0.05 * std::sqrt(10.0), 1e-14);  // through (10, 0.05)
+  EXPECT_EQ(b.path.back().x, figure.x.to);
+  EXPECT_EQ(figure.guides[2].path.front().y, 0.01);
+  EXPECT_EQ(figure.guides[2].path.back().y, 0.01);
   const std::string script = plot::gnuplot_script(figure, plot::Form::svg);
   for (const char* part : {"title 'a'", "title 'b'", "title 'c'", "dashtype"})
     EXPECT_NE(script.find(part), std::string::npos) << part;

@@ -11,17 +11,10 @@
 #include "sigmasweep/solve/column.hpp"
 #include "sigmasweep/solve/fixed_step.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "support/soft_column.hpp"
 
 namespace sigmasweep {
 namespace {
-
-Parameters scene(std::int64_t N, double epsilon, double sigma) {
-  Parameters p;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.sigma = sigma;
-  return complete(p, Gap::sigma);
-}
 
 PrecisionSpec study(Integrator integrator, std::vector<double> settings) {
   PrecisionSpec spec;
@@ -39,7 +32,7 @@ PrecisionSpec study(Integrator integrator, std::vector<double> settings) {
 TEST(Precision, GearOnOneCollision) {
   PrecisionSpec spec = study(Integrator::gear5, {50, 100});
   spec.tuples = 400;
-  const auto rows = measure_precision(scene(1, 0.9, 1.0), 7, spec);
+  const auto rows = measure_precision(soft_column(1, 0.9, 1.0), 7, spec);
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_GT(rows[0].error_max, 0.9e-3);
   EXPECT_LT(rows[0].error_max, 7.2e-3);
@@ -67,11 +60,11 @@ TEST(Precision, GearOnOneCollision) {
 TEST(Precision, IsWhatADirectComputationGives) {
   PrecisionSpec spec = study(Integrator::verlet, {40});
   spec.tuples = 200;
-  const auto rows = measure_precision(scene(1, 0.6, 2.0), 0, spec);
+  const auto rows = measure_precision(soft_column(1, 0.6, 2.0), 0, spec);
   const double truth = wall_restitution(0.6);
   double least = 1.0, most = 0.0;
   for (int k = 0; k < 4000; ++k) {
-    Column<double> column = reduced_column<double>(scene(1, 0.6, 2.0));
+    Column<double> column = reduced_column<double>(soft_column(1, 0.6, 2.0));
     column.gap += k / 4000.0 / 40.0;
     const auto outcome = fixed_step_collision(column, Integrator::verlet, 1.0 / 40.0);
     const double error = std::fabs(outcome.velocity[0] - truth);
@@ -86,7 +79,7 @@ TEST(Precision, IsWhatADirectComputationGives) {
 TEST(Precision, ExactIsExact) {
   PrecisionSpec spec = study(Integrator::exact, {1e-3, 1e-13});
   spec.tuples = 20;
-  for (const PrecisionRow& row : measure_precision(scene(10, 0.9, 0.3), 0, spec)) {
+  for (const PrecisionRow& row : measure_precision(soft_column(10, 0.9, 0.3), 0, spec)) {
     EXPECT_EQ(row.failures, 0u);
     EXPECT_EQ(row.compared, 20u);
     EXPECT_LE(row.error_max, std::max(row.setting, 1e-15));
@@ -98,7 +91,7 @@ TEST(Precision, ExactIsExact) {
 TEST(Precision, NoGap) {
   PrecisionSpec spec = study(Integrator::rk4, {50});
   spec.tuples = 30;
-  const PrecisionRow row = measure_precision(scene(3, 0.9, 0.0), 0, spec)[0];
+  const PrecisionRow row = measure_precision(soft_column(3, 0.9, 0.0), 0, spec)[0];
   EXPECT_EQ(row.tuples, 30u);
   EXPECT_EQ(row.compared, 30u);
   EXPECT_EQ(row.references, 1u);
@@ -109,7 +102,7 @@ TEST(Precision, NoGap) {
 TEST(Precision, FailuresAreCounted) {
   PrecisionSpec spec = study(Integrator::verlet, {2});
   spec.tuples = 10;
-  const PrecisionRow row = measure_precision(scene(5, 0.1, 0.3), 0, spec)[0];
+  const PrecisionRow row = measure_precision(soft_column(5, 0.1, 0.3), 0, spec)[0];
   EXPECT_GT(row.failures, 0u);
   EXPECT_EQ(row.failures + row.compared, 10u);
   EXPECT_NE(precision_text(std::span(&row, 1), {}).find(std::to_string(row.failures)), std::string::npos);
@@ -118,7 +111,7 @@ TEST(Precision, FailuresAreCounted) {
 TEST(Precision, OtherLawsHaveOneMethodTwice) {
   PrecisionSpec spec = study(Integrator::verlet, {100});
   spec.tuples = 3;
-  Parameters p = scene(2, 0.9, 0.3);
+  Parameters p = soft_column(2, 0.9, 0.3);
   p.law = Law::hertz;
   const PrecisionRow row = measure_precision(p, 0, spec)[0];
   EXPECT_EQ(row.independent, 0u);
@@ -131,7 +124,7 @@ TEST(Precision, OtherLawsHaveOneMethodTwice) {
 TEST(Precision, TooLongIsLeftOut) {
   PrecisionSpec spec = study(Integrator::verlet, {100, 1e9});
   spec.tuples = 2;
-  const auto rows = measure_precision(scene(2, 0.9, 0.3), 0, spec);
+  const auto rows = measure_precision(soft_column(2, 0.9, 0.3), 0, spec);
   EXPECT_EQ(rows[0].tuples, 2u);
   EXPECT_EQ(rows[1].tuples, 0u);
   EXPECT_TRUE(std::isnan(rows[1].error_max));
@@ -140,7 +133,8 @@ TEST(Precision, TooLongIsLeftOut) {
 TEST(Precision, SpecIsRead) {
   const std::string sweep = "[sweep]\nv0 = 1\ntc = 1e-5\nN = [1, 2]\nepsilon = 0.9\nsigma = 1\n";
   EXPECT_FALSE(Sweep::parse(sweep, "s").precision());
-  const auto read = Sweep::parse(sweep + "[precision]\nintegrators = ['rk4']\nsteps_per_tc = [50]\ntuples = 3\n", "s").precision();
+  const std::string table = "[precision]\nintegrators = ['rk4']\nsteps_per_tc = [50]\ntuples = 3\n";
+  const auto read = Sweep::parse(sweep + table, "s").precision();
   ASSERT_TRUE(read);
   EXPECT_EQ(read->integrators, std::vector{Integrator::rk4});
   EXPECT_EQ(read->steps_per_tc, std::vector{50.0});

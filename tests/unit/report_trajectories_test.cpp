@@ -80,5 +80,31 @@ TEST(PlotTrajectories, DrawsEveryForm) {
     EXPECT_NE(svg.find(words), std::string::npos) << words;
 }
 
+/// A bead at rest on a plate of 2 mm, for two and a half of its periods.
+TEST(PlotTrajectories, DrawsThePlateAgainstTimeOrPhase) {
+  const samples::Directory directory;
+  Panel panel;
+  panel.row.parameters.geometry = Geometry::vibrated_column;
+  panel.row.parameters.N = 1;
+  panel.row.parameters.A0 = 2e-3;
+  panel.row.parameters.frequency = 20.0;
+  panel.trajectory = {.time = {}, .z = {}, .velocity = {}, .mass = {1.0}, .diameter = {1e-3}};
+  for (int s = 0; s <= 1000; ++s) {
+    panel.trajectory.time.push_back(0.125 * s / 1000.0);
+    panel.trajectory.z.push_back(2e-3 * std::sin(40.0 * 3.141592653589793 * panel.trajectory.time.back()));
+  }
+  panel.trajectory.velocity.resize(1001);
+  const std::vector<Panel> panels{panel};
+  const std::vector<std::string> differ{"tc"};
+  plot_trajectories(panels, 1, differ, "time", directory.file("time.svg"));
+  plot_trajectories(panels, 1, differ, "phase", directory.file("phase.svg"), true);
+  const std::string time = samples::bytes_of(directory.file("time.svg"));
+  const std::string phase = samples::bytes_of(directory.file("phase.svg"));
+  for (const char* words : {"periods", "mm", "144, 144, 144"}) EXPECT_NE(time.find(words), std::string::npos) << words;
+  EXPECT_EQ(time.find("phase "), std::string::npos);
+  for (const char* words : {"phase ", "mm"}) EXPECT_NE(phase.find(words), std::string::npos) << words;
+  EXPECT_EQ(phase.find("periods"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace sigmasweep

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -33,6 +34,75 @@ TEST(Complete, NoGapIsSigmaZeroEvenWhereTheUnitOfLengthUnderflows) {
   const Parameters p{.v0 = 1e-200, .tc = 1e-200, .s0 = 0.0, .sigma = 5.0};
   EXPECT_EQ(complete(p, Gap::s0).sigma, 0.0);
   EXPECT_EQ(why_invalid(complete(p, Gap::s0)), "");
+}
+
+Parameters vibrated(double alpha, double A0) {
+  Parameters p;
+  p.geometry = Geometry::vibrated_column;
+  p.alpha = alpha;
+  p.A0 = A0;
+  return complete(p, Gap::s0);
+}
+
+/// Fig. 5's plate: 1.24 mm at 20 Hz; its acceleration over g worked out elsewhere
+TEST(Complete, FillsInThePlate) {
+  EXPECT_NEAR(vibrated(0.0, 1.24e-3).alpha, 1.9960545496188875, 1e-14);  // a few roundings
+  EXPECT_NEAR(vibrated(4.0, 0.0).A0, 2.484902028828334e-3, 1e-15);
+  EXPECT_EQ(vibrated(0.0, 1.24e-3).A0, 1.24e-3);
+  EXPECT_EQ(vibrated(4.0, 0.0).alpha, 4.0);
+  EXPECT_NEAR(vibrated(3.0, 1.24e-3).alpha, 1.9960545496188875, 1e-14);  // A0 counts
+  EXPECT_EQ(complete(Parameters{.alpha = 4.0}, Gap::s0).A0, 0.0);        // no plate
+}
+
+TEST(Complete, LeavesACompletePlateAlone) {
+  for (int k = 1; k <= 1000; ++k) {
+    const Parameters from_alpha = vibrated(0.01 * k, 0.0), from_A0 = vibrated(0.0, 1.7e-5 * k);
+    for (const Parameters& p : {from_alpha, from_A0}) {
+      EXPECT_EQ(complete(p, Gap::s0).alpha, p.alpha);
+      EXPECT_EQ(complete(p, Gap::s0).A0, p.A0);
+    }
+  }
+}
+
+TEST(Complete, AVibratedColumnHasNoSigma) {
+  Parameters p{.tc = 1e-4, .sigma = 0.5};
+  p.geometry = Geometry::vibrated_column;
+  p.alpha = 2.0;
+  EXPECT_EQ(complete(p, Gap::sigma).s0, 0.0);
+  EXPECT_EQ(complete(p, Gap::sigma).sigma, 0.0);
+}
+
+TEST(PlateHeight, IsEquation1AndKeepsThePhase) {
+  const Parameters p = vibrated(0.0, 1.24e-3);
+  EXPECT_EQ(plate_height(p, 0.0), 0.0);
+  EXPECT_NEAR(plate_height(p, 0.0125), 1.24e-3, 1e-17);       // a quarter of a period
+  EXPECT_NEAR(plate_height(p, 0.0375), -1.24e-3, 1e-17);
+  EXPECT_NEAR(plate_height(p, 5000.0 + 0.0125), 1.24e-3, 1e-12);  // 5000 s are known to 1e-12 s
+}
+
+TEST(WhyInvalid, LooksAtThePlateOfVibratedColumnsOnly) {
+  EXPECT_EQ(why_invalid(vibrated(2.0, 0.0)), "");
+  const auto why = [](auto change) {
+    Parameters p = vibrated(2.0, 0.0);
+    change(p);
+    const std::string message = why_invalid(p);
+    p.geometry = Geometry::column;
+    EXPECT_EQ(why_invalid(p), "");
+    return message.substr(0, message.find(" is not"));
+  };
+  EXPECT_EQ(why([](Parameters& p) { p.gravity = 0.0; }), "gravity = 0");
+  EXPECT_EQ(why([](Parameters& p) { p.gravity = nan; }), "gravity = nan");
+  EXPECT_EQ(why([](Parameters& p) { p.frequency = -1.0; }), "frequency = -1");
+  EXPECT_EQ(why([](Parameters& p) { p.frequency = infinity; }), "frequency = inf");
+  EXPECT_EQ(why([](Parameters& p) { p.alpha = 0.0; }), "alpha = 0");
+  EXPECT_EQ(why([](Parameters& p) { p.alpha = 1.1e6; }), "alpha = 1100000");
+  EXPECT_EQ(why([](Parameters& p) { p.A0 = 0.0; }), "A0 = 0");
+  EXPECT_EQ(why([](Parameters& p) { p.A0 = nan; }), "A0 = nan");
+  EXPECT_EQ(why([](Parameters& p) { p.periods = 0; }), "periods = 0");
+  EXPECT_EQ(why([](Parameters& p) { p.periods = 10'000'001; }), "periods = 10000001");
+  EXPECT_EQ(why([](Parameters& p) { p.transient = -1; }), "transient = -1");
+  EXPECT_EQ(why([](Parameters& p) { p.transient = 120; }), "transient = 120");
+  EXPECT_EQ(why([](Parameters& p) { p.transient = 119; }), "");
 }
 
 TEST(WhyInvalid, AcceptsTheDefaultsAndTheEndsOfTheRanges) {
@@ -113,6 +183,7 @@ void expect_names_round_trip() {
 
 TEST(Names, RoundTrip) {
   expect_names_round_trip<Method>();
+  expect_names_round_trip<Geometry>();
   expect_names_round_trip<Wall>();
   expect_names_round_trip<Integrator>();
   expect_names_round_trip<Law>();

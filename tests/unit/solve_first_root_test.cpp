@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <vector>
+
+#include "support/random.hpp"
 
 namespace {
 
-using sigmasweep::FirstRoot;
+using sigmasweep::FirstRoot, sigmasweep::Random;
 constexpr int order = 24;
 using Root = FirstRoot<double, order>;
 using Polynomial = Root::Coefficients;
@@ -53,13 +54,10 @@ TEST(FirstRoot, OfACosineIsAQuarterPeriod) {
 }
 
 TEST(FirstRoot, IsTheSmallestOfMany) {
-  const unsigned seed = 20240901;
-  SCOPED_TRACE(seed);
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Random uniform(20240901);
   for (int trial = 0; trial < 20'000; ++trial) {
     std::vector<double> roots;
-    for (int i = 0; i < 1 + trial % 6; ++i) roots.push_back(0.01 + 1.5 * uniform(random));
+    for (int i = 0; i < 1 + trial % 6; ++i) roots.push_back(0.01 + 1.5 * uniform());
     std::sort(roots.begin(), roots.end());
     bool close = false;
     for (std::size_t i = 1; i < roots.size(); ++i) close = close || roots[i] - roots[i - 1] < 1e-3;
@@ -86,16 +84,13 @@ TEST(FirstRoot, FindsAPairOfRootsThatAlmostTouch) {
 
 // A root on a point of bisection, beside complex pairs that force the halving.
 TEST(FirstRoot, OnABisectionPoint) {
-  const unsigned seed = 3;
-  SCOPED_TRACE(seed);
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Random uniform(3);
   for (int trial = 0; trial < 200'000; ++trial) {
-    const int level = 1 + int(random() % 4);
-    const double root = (1.0 + double(random() % ((1u << level) - 1))) / double(1u << level);
+    const int level = 1 + int(uniform.bits() % 4);
+    const double root = (1.0 + double(uniform.bits() % ((1u << level) - 1))) / double(1u << level);
     Polynomial p = with_roots({root});
     for (int pair = 0; pair < 3; ++pair) {  // times ((t - a)^2 + b^2)/(a^2 + b^2)
-      const double a = uniform(random), b = 0.02 + 0.3 * uniform(random), norm = a * a + b * b;
+      const double a = uniform(), b = 0.02 + 0.3 * uniform(), norm = a * a + b * b;
       Polynomial q{};
       for (std::size_t i = 0; i <= order; ++i)
         q[i] = p[i] + (i > 0 ? -2.0 * a / norm * p[i - 1] : 0.0) + (i > 1 ? p[i - 2] / norm : 0.0);

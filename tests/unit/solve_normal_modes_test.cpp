@@ -26,7 +26,7 @@ long double eps_eff(const Column<long double>& column) {
   return energies<long double>(outcome.velocity, 1.0L).eps_eff;
 }
 
-// The references know epsilon as a decimal, we as a double: eps_eff moves by N times half its last digit, 1e-16, at most.
+// The references know epsilon as a decimal, we as a double: eps_eff moves by up to N times half its last digit, 1e-16.
 TEST(NormalModes, AgreesWithIndependentReferences) {
   int compared = 0;
   for (const reference::Soft& r : reference::soft) {

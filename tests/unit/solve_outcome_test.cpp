@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "sigmasweep/solve/column.hpp"
+#include "support/random.hpp"
 
 namespace {
 
@@ -36,17 +36,14 @@ TEST(ResidualDissipation, OfSmallColumns) {
 
 // Whatever the restitutions and the order of the collisions, no column loses more than the bound says.
 TEST(ResidualDissipation, BoundsEverySequenceOfCollisions) {
-  const unsigned seed = 7;
-  SCOPED_TRACE(seed);
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Random uniform(7);
   for (int trial = 0; trial < 2000; ++trial) {
-    Velocities v(1 + random() % 8);
-    for (double& vi : v) vi = 2.0 * uniform(random) - 1.0;
+    Velocities v(1 + uniform.bits() % 8);
+    for (double& vi : v) vi = 2.0 * uniform() - 1.0;
     const double start = energies<double>(v, 1.0).eps_eff, bound = residual_dissipation<double>(v, 1.0);
     for (int collision = 0; collision < 500; ++collision) {
-      const std::size_t k = random() % v.size();
-      const double eps = trial % 3 == 0 ? 0.0 : uniform(random);
+      const std::size_t k = uniform.bits() % v.size();
+      const double eps = trial % 3 == 0 ? 0.0 : uniform();
       if (k == 0) {
         if (v[0] < 0) v[0] *= -eps;
       } else if (const double approach = v[k - 1] - v[k]; approach > 0) {
@@ -54,7 +51,8 @@ TEST(ResidualDissipation, BoundsEverySequenceOfCollisions) {
         v[k] += (1.0 + eps) / 2.0 * approach;
       }
     }
-    EXPECT_GE(energies<double>(v, 1.0).eps_eff, start - bound - 1e-12) << "trial " << trial;  // 500 collisions of a few roundings, relative to eps_eff > 1e-4
+    // 500 collisions of a few roundings, relative to eps_eff > 1e-4.
+    EXPECT_GE(energies<double>(v, 1.0).eps_eff, start - bound - 1e-12) << "trial " << trial;
   }
 }
 

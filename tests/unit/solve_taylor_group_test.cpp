@@ -14,8 +14,8 @@ namespace {
 
 using namespace sigmasweep;
 
-/// x'' = -A (K x + C x') with A = tridiag(-1, w_k, -1), w = 1 at the wall, 2 else: A = V diag(lambda) V^T, and each mode
-/// is a damped oscillator y'' + lambda C y' + lambda K y = 0 with y(0) = 0.
+/// x'' = -A (K x + C x') with A = tridiag(-1, w_k, -1), w = 1 at the wall, 2 else: A = V diag(lambda) V^T, and each
+/// mode is a damped oscillator y'' + lambda C y' + lambda K y = 0 with y(0) = 0.
 std::vector<double> by_modes(int n, double K, double C, const std::vector<double>& u0, double t) {
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
   for (int k = 0; k < n; ++k) {
@@ -116,6 +116,7 @@ TEST(LongChain, RestsAheadOfTheMotion) {
 
 // One, two and many registers; light damping, and over-damped fast modes (eps < 0.043).
 INSTANTIATE_TEST_SUITE_P(Sizes, ClosedChain,
-                         testing::Combine(testing::Values(1, 2, 7, 8, 9, 16, 17, 40), testing::Values(1.0, 0.9, 0.3, 0.01)));
+                         testing::Combine(testing::Values(1, 2, 7, 8, 9, 16, 17, 40),
+                                          testing::Values(1.0, 0.9, 0.3, 0.01)));
 
 }  // namespace

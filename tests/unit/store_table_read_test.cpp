@@ -137,7 +137,7 @@ TEST_F(TableReadTest, ReadsAPlainTable) {
 
 TEST_F(TableReadTest, PassesOverMembersThatItDoesNotKnow) {
   auto& results = maker.datasets["results"];
-  results.insert(results.begin(), number<double>("alpha", H5T_NATIVE_DOUBLE, [](int) { return 9.0; }));
+  results.insert(results.begin(), number<double>("pressure", H5T_NATIVE_DOUBLE, [](int) { return 9.0; }));
   results.push_back(number<float>("run_time", H5T_NATIVE_FLOAT, [](int) { return 9.0f; }));  // known, but not there
   results.push_back(number<std::int64_t>("N", H5T_NATIVE_INT64, [](int k) { return 10 + k; }));
   maker.make(path);

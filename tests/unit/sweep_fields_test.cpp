@@ -31,12 +31,15 @@ std::string shown(std::string_view name, const Row& row) { return text(*find_fie
 
 TEST(Fields, ListsAreComplete) {
   EXPECT_EQ(names(parameter_fields()),
-            (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "wall", "law", "beta",
-                                      "gamma", "K_over_m", "D_n", "material", "integrator", "d", "width",
-                                      "random_separation", "seed", "ed_rule", "steps_per_tc", "tolerance"}));
+            (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "geometry", "wall", "law",
+                                      "beta", "gamma", "K_over_m", "D_n", "material", "integrator", "d", "width",
+                                      "random_separation", "seed", "ed_rule", "steps_per_tc", "tolerance", "gravity",
+                                      "frequency", "alpha", "A0", "periods", "transient"}));
   EXPECT_EQ(names(result_fields()),
             (std::vector<std::string>{"eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "x_max",
-                                      "predicted_growth", "contacts", "end", "status"}));
+                                      "predicted_growth", "h_cm", "h_cm_error", "h_cm_excess", "separation",
+                                      "separation_max", "E_r", "cm_period", "power_in", "power_lost", "imbalance",
+                                      "contacts", "end", "status"}));
   EXPECT_EQ(names(timing_fields()), (std::vector<std::string>{"run_time", "predicted_time", "rank", "attempt"}));
   EXPECT_EQ(find_field("no such field"), nullptr);
 }
@@ -67,6 +70,12 @@ TEST(Fields, EachSitsAtItsMember) {
   EXPECT_EQ(shown("random_separation", row), "true");
   EXPECT_EQ(shown("ed_rule", row), "tc");
   EXPECT_EQ(shown("material", row), "aluminium");
+  row.parameters.geometry = Geometry::vibrated_column;
+  row.parameters.transient = 7;
+  row.collision.vibration.imbalance = 3e-9;
+  EXPECT_EQ(shown("geometry", row), "vibrated-column");
+  EXPECT_EQ(number(*find_field("transient"), row), 7.0);
+  EXPECT_EQ(number(*find_field("imbalance"), row), 3e-9);
 }
 
 TEST(Fields, NoTwoOverlap) {
@@ -129,7 +138,14 @@ TEST(ContentKey, ChangesWithEveryParameter) {
       [](Parameters& p) { p.width = 5e-324; },
       [](Parameters& p) { p.seed = 1; },
       [](Parameters& p) { p.ed_rule = EdRule::tc; },
-      [](Parameters& p) { p.random_separation = Flag::yes; }};
+      [](Parameters& p) { p.random_separation = Flag::yes; },
+      [](Parameters& p) { p.geometry = Geometry::vibrated_column; },
+      [](Parameters& p) { p.gravity = std::nextafter(p.gravity, 0.0); },
+      [](Parameters& p) { p.frequency = std::nextafter(p.frequency, 0.0); },
+      [](Parameters& p) { p.alpha = 5e-324; },
+      [](Parameters& p) { p.A0 = 5e-324; },
+      [](Parameters& p) { p.periods += 1; },
+      [](Parameters& p) { p.transient += 1; }};
   for (const auto& change : changes) {
     Parameters changed;
     change(changed);

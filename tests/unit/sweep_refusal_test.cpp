@@ -42,7 +42,7 @@ TEST(Refusal, UnknownKeysNameTheNearest) {
   EXPECT_EQ(alone("epsilom = 1"), "bad.toml:3: unknown key sweep.epsilom (did you mean 'epsilon'?)");
   EXPECT_EQ(refusal("[swep]\n"), "bad.toml:1: unknown key swep (did you mean 'sweep'?)");
   EXPECT_EQ(table("[plot]\nxscale = \"log\""), "bad.toml:8: unknown key plot.xscale (did you mean 'x_scale'?)");
-  expect_part(alone("gravity = 9.81"), "bad.toml:3: unknown key sweep.gravity; known: v0, tc,");
+  expect_part(alone("pressure = 1e5"), "bad.toml:3: unknown key sweep.pressure; known: v0, tc,");
   EXPECT_EQ(with("sigma = { from = 1, to = 2, cont = 3 }"),
             "bad.toml:2: unknown key sweep.sigma.cont (did you mean 'count'?)");
   EXPECT_EQ(table("[run]\nranks = 3"), "bad.toml:8: unknown key run.ranks; known: manager, tuple_time_limit");
@@ -91,7 +91,8 @@ TEST(Refusal, UnknownNames) {
   EXPECT_EQ(alone("integrator = [\"gear\"]"),
             "bad.toml:3: sweep.integrator = \"gear\": must be 'exact', 'gear5', 'verlet' or 'rk4' "
             "(did you mean 'gear5'?)");
-  EXPECT_EQ(alone("geometry = \"lattice\""), "bad.toml:3: sweep.geometry = \"lattice\": must be 'column'");
+  EXPECT_EQ(alone("geometry = \"lattice\""),
+            "bad.toml:3: sweep.geometry = \"lattice\": must be 'column' or 'vibrated-column'");
   EXPECT_EQ(alone("law = \"herz\""),
             "bad.toml:3: sweep.law = \"herz\": must be 'hooke', 'hertz', 'hertz-kuwabara-kono', 'taguchi' or 'power' "
             "(did you mean 'hertz'?)");

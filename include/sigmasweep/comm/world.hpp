@@ -54,8 +54,8 @@ class World {
 /// What the manager and the workers need to know to run a sweep.
 struct Job {
   std::function<Parameters(std::uint64_t row)> tuple;  ///< on the manager
-  /// Must not throw; on workers, and on a thread of the manager. A tuple that takes long asks now and then whether it is
-  /// to end at once, and if so gives nothing.
+  /// Must not throw; on workers, and on a thread of the manager. A tuple that takes long asks now and then whether it
+  /// is to end at once, and if so gives nothing.
   std::function<std::optional<Row>(const Tuple&, const std::function<bool()>& to_end)> compute;
   std::function<void(const Row&)> finished;            ///< on the manager, for each row as it comes in; must not throw
   std::function<bool()> stop;                          ///< polled on every rank: hand out nothing more

@@ -21,10 +21,11 @@ struct SeriesFit {
 
 /// Draws rows as the spec's [plot] says, by gnuplot; the ending of `path` (svg, png, pdf) chooses the form. Axes are
 /// labelled in the paper's symbols with units, one series per distinct value of plot.series; where soft and hard
-/// spheres both occur, the hard ones as dashed lines. Fitted lines are thin, their slopes in the key; guides are
-/// dashed. What cannot be drawn (failed rows, nothing positive for a logarithmic axis) is counted in a note on the
-/// plot. The picture is complete or not there. Throws UsageError (ending, unknown field, bad expression), OutputError
-/// (gnuplot missing or failing, `path` cannot be written). Returns the fits, hard spheres drawn as lines left out.
+/// spheres both occur, the hard ones as dashed lines (as symbols where there are error bars). Fitted lines are thin,
+/// their slopes in the key; guides are dashed. What cannot be drawn (failed rows, nothing positive for a logarithmic
+/// axis) is counted in a note on the plot. The picture is complete or not there. Throws UsageError (ending, unknown
+/// field, bad expression), OutputError (gnuplot missing or failing, `path` cannot be written). Returns the fits, hard
+/// spheres drawn as lines left out.
 std::vector<SeriesFit> plot_rows(std::span<const Row> rows, const PlotSpec& plot, const std::string& title,
                                  const std::string& path);
 

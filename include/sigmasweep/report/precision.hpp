@@ -18,11 +18,11 @@ namespace sigmasweep {
 /// follows, falls anywhere within a step: that changes nothing else, and contacts in phase with the grid would make the
 /// error look smaller than it is.
 ///
-/// References, equal beads and the linear law: normal modes in long double for all tuples, and Taylor series in
-/// quadruple precision (exact_collision<Quad>) for the first `checks`. Other laws: nonlinear_collision<long double> at
-/// 1e-17, and at 1e-14 for the checks; unequal beads: Taylor series in quadruple precision and in long double: the same
-/// method twice, which is less independent. Where the two differ by more than 1e-9 the outcome is chaotic: such tuples are
-/// not compared, and in scenes that have any only tuples with both references are.
+/// References, equal beads and the linear law: Taylor series in long double for all tuples, and normal modes, which
+/// share no code with these, for the first `checks`. Other laws: nonlinear_collision<long double> at 1e-17, and at
+/// 1e-14 for the checks; unequal beads: Taylor series in long double, and in quadruple precision: the same method
+/// twice, which is less independent. Where the two differ by more than 1e-9 the outcome is chaotic: such tuples are not
+/// compared, and in scenes that have any only tuples with both references are.
 ///
 /// Times are CPU times of the calling thread: of fixed_step_collision() alone, without the reference solution that a
 /// sweep adds for its error bar; of simulate(), with its error bar, for exact. Velocities are those that a solver
@@ -43,8 +43,8 @@ inline constexpr std::size_t most_precision_panels = 64;
 void plot_precision(std::span<const PrecisionRow> rows, std::span<const std::string> axes, const std::string& title,
                     const std::string& path);
 
-/// The same for the rows of an ordinary table: run_time against eps_eff_error, one panel, series by integrator and those
-/// of its settings that differ. Rows without a result are crosses at the right border.
+/// The same for the rows of an ordinary table: run_time against eps_eff_error, one panel, series by integrator and
+/// those of its settings that differ. Rows without a result are crosses at the right border.
 void plot_precision_of(std::span<const Row> rows, const std::string& title, const std::string& path);
 
 }  // namespace sigmasweep

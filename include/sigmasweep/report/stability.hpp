@@ -9,6 +9,9 @@
 /// Where the schemes of fixed step are stable: what theory says (stability.hpp) beside what the rows of a table show.
 namespace sigmasweep {
 
+/// The first map among a spec's plots, or one with defaults.
+PlotSpec stability_plot(std::span<const PlotSpec> plots);
+
 /// A map of the rows with a given time step for each combination of the other axes: the step dt/tc against the plot's y
 /// (a parameter). Squares are rows, coloured by how far eps_eff is off; crosses came out unstable; the line is the
 /// limit that theory predicts. `axes`: those of the sweep. Throws as plot_rows() does, and UsageError where no row has

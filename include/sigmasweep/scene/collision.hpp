@@ -9,7 +9,8 @@ namespace sigmasweep {
 enum class End : std::uint8_t {
   none,       ///< it is not over: see the status
   separated,  ///< no contact closed and no neighbouring pair, wall included, approaching
-  settled     ///< pairs still approach, but what they can dissipate is below the tolerance, and in the error
+  settled,    ///< pairs still approach, but what they can dissipate is below the tolerance, and in the error
+  periods     ///< vibrated column: all periods of the plate are over
 };
 
 /// What a row of a table is worth. The names are stored in the table (names.hpp).
@@ -34,6 +35,21 @@ constexpr bool is_reproducible(Status status) {
   return status != Status::time_limit && status != Status::not_run && status != Status::quarantined;
 }
 
+/// What a vibrated column does, averaged over the periods after the transient. Masses are over the column's.
+struct Vibration {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  double h_cm = nan;            ///< mean height of the centre of mass above the plate's middle position, m
+  double h_cm_error = nan;      ///< its standard error, by block averages
+  double h_cm_excess = nan;     ///< h_cm less its value at rest with the plate in the middle, m
+  double separation = nan;      ///< mean gap between neighbours (overlaps count as negative), m
+  double separation_max = nan;  ///< the largest one, m
+  double E_r = nan;             ///< mean kinetic energy relative to the centre of mass, J/kg
+  double cm_period = nan;       ///< after which the centre of mass repeats its motion, s; NaN: not within 16/f
+  double power_in = nan;        ///< mean power of the plate, W/kg
+  double power_lost = nan;      ///< mean power lost in contacts, W/kg
+  double imbalance = nan;       ///< work in less work lost and gain of energy, over max(work in, weight x plate's path)
+};
+
 /// What one collision of a column gave. A plain value of fixed size, sent and stored as it is.
 /// Where there is no result every number is NaN, but for predicted_growth.
 struct Collision {
@@ -48,6 +64,7 @@ struct Collision {
   /// Of a fixed time step: what it makes of the amplitude of the column's stiffest mode in N tc, from theory
   /// (stability.hpp); a good deal above 1 where the step is too long.
   double predicted_growth = nan;
+  Vibration vibration;         ///< of a vibrated column, of which nothing else is known than x_max and the following
   std::uint64_t contacts = 0;  ///< contacts that closed and opened again; for hard spheres collisions
   End end = End::none;
   Status status = Status::not_run;

@@ -16,6 +16,7 @@ template <class Enum>
 std::span<const std::string_view> names_of();
 
 template <> std::span<const std::string_view> names_of<Method>();
+template <> std::span<const std::string_view> names_of<Geometry>();
 template <> std::span<const std::string_view> names_of<Wall>();
 template <> std::span<const std::string_view> names_of<Integrator>();
 template <> std::span<const std::string_view> names_of<Law>();

@@ -8,6 +8,10 @@ namespace sigmasweep {
 /// How a collision is computed: soft spheres (contact time tc) or hard spheres (contact time zero).
 enum class Method : std::uint8_t { md, ed };
 
+/// What the beads do: a column that flies into a fixed wall; or one that rests on a plate, under gravity, when the
+/// plate begins to vibrate (Sec. V).
+enum class Geometry : std::uint8_t { column, vibrated_column };
+
 /// The wall's restitution: `paper`, the same spring and the same dashpot as a pair of beads, so that
 /// eps_wall = exp(-pi L/sqrt(2 pi^2 + L^2)), L = -ln eps; `matched`, the same (tc, eps) as a pair.
 enum class Wall : std::uint8_t { paper, matched };
@@ -30,9 +34,10 @@ enum class EdRule : std::uint8_t { lrv, tc };
 /// A yes or no that users write as true or false.
 enum class Flag : std::uint8_t { no, yes };
 
-/// Everything that defines one collision of a column of N beads with a fixed wall. SI units. A plain value of
-/// fixed size: it is sent between ranks as it is. Stiffness and damping are given by (tc, epsilon), by (K_over_m, D_n)
-/// or by the material; s0 and sigma = s0/(v0 tc) are kept together. complete() fills in the rest.
+/// Everything that defines one collision of a column of N beads with a fixed wall, or one run of a vibrated column. SI
+/// units. A plain value of fixed size: it is sent between ranks as it is. Stiffness and damping are given by (tc,
+/// epsilon), by (K_over_m, D_n) or by the material; s0 and sigma = s0/(v0 tc) are kept together, as are alpha and A0.
+/// complete() fills in the rest.
 struct Parameters {
   double v0 = 1.0;             ///< approach speed of the column, m/s
   double tc = 1e-5;            ///< contact time of a pair at v0, s: Eq. (6); of laws that are not linear Eq. (A2)
@@ -47,8 +52,15 @@ struct Parameters {
   double width = 0.0;          ///< diameters are uniform in d +- width/2, m; masses go with their cubes
   double steps_per_tc = 100.0; ///< fixed-step integrators: time step tc/steps_per_tc; 0: chosen by the tolerance
   double tolerance = 1e-10;    ///< exact, or a chosen step: wanted absolute error of eps_eff
+  double gravity = 9.81;       ///< vibrated column: m/s^2
+  double frequency = 20.0;     ///< f of the plate z0(t) = A0 sin(2 pi f t), Eq. (1), Hz
+  double alpha = 0.0;          ///< A0 (2 pi f)^2/g, the plate's largest acceleration over gravity
+  double A0 = 0.0;             ///< the plate's amplitude, m
+  std::int64_t periods = 120;  ///< of the plate: how long a vibrated column is followed
+  std::int64_t transient = 20; ///< of these, the first ones, which no average takes in
   std::int64_t N = 10;         ///< number of beads
   std::int64_t seed = 0;       ///< of random diameters and separations
+  Geometry geometry = Geometry::column;
   Method method = Method::md;
   Wall wall = Wall::paper;
   Integrator integrator = Integrator::exact;

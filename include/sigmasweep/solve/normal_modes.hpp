@@ -16,9 +16,9 @@ struct NormalModesOptions {
   std::uint64_t work_limit = 2'000'000'000;  ///< modes evaluated, summed over all contacts, before giving up: minutes
 };
 
-/// One collision of a column in reduced units (speed and tc about 1): beads of one mass, the linear law, any gaps, walls
-/// of either kind. A contact opens when its overlap falls to -1e-18 N instead of 0, for rounding to have no say there.
-/// Overlaps between are not looked at, so x_max is NaN. Throws std::invalid_argument for other columns.
+/// One collision of a column in reduced units (speed and tc about 1): beads of one mass, the linear law, any gaps,
+/// walls of either kind. A contact opens when its overlap falls to -1e-18 N instead of 0, for rounding to have no say
+/// there. Overlaps between are not looked at, so x_max is NaN. Throws std::invalid_argument for other columns.
 Outcome<long double> normal_modes_collision(const Column<long double>& column, const NormalModesOptions& options = {});
 
 }  // namespace sigmasweep

@@ -7,11 +7,11 @@
 namespace sigmasweep {
 
 /// Number of the physics: changes whenever a change of the code may change a result.
-inline constexpr std::uint32_t physics_version = 3;
+inline constexpr std::uint32_t physics_version = 4;
 
 /// The collision that `parameters` describe: a pure function, the same bits for the same parameters on one build.
-/// Never throws, never hangs: what cannot be computed is a status, and parameters that why_invalid() refuses are failed.
-/// Where `patience` came to its end it is Status::time_limit, whatever had been found by then.
+/// Never throws, never hangs: what cannot be computed is a status, and parameters that why_invalid() refuses are
+/// failed. Where `patience` came to its end it is Status::time_limit, whatever had been found by then.
 Collision simulate(const Parameters& parameters, Patience* patience = nullptr) noexcept;
 
 }  // namespace sigmasweep

@@ -12,8 +12,10 @@ namespace sigmasweep {
 
 /// Beads are numbered from 0, the lowest, here. Values of sample s and bead i are at [s * beads() + i].
 struct Trajectory {
-  std::vector<double> time;      ///< s, ascending; 0 is the start: all gaps as given, all beads at -v0
-  std::vector<double> z;         ///< reduced heights, Eq. (9): the sum of the gaps below a bead, overlaps negative; m
+  /// s, ascending; 0 is the start: all gaps as given, all beads at -v0, or at rest above the plate.
+  std::vector<double> time;
+  /// Reduced heights, Eq. (9), m: the sum of the gaps below a bead, overlaps negative, and of the plate's height.
+  std::vector<double> z;
   std::vector<double> velocity;  ///< upwards, m/s; just before the collision where hard spheres meet at that time
   std::vector<double> mass;      ///< of the beads, over the mean bead's
   std::vector<double> diameter;  ///< of the beads, m
@@ -33,7 +35,8 @@ Trajectory record(const Parameters& parameters, std::span<const double> times);
 
 /// 1.5 times from the start to the last contact with the wall that `collision`, the result of simulate(), reports: long
 /// enough to see what comes of it. For hard spheres that start in touch, all of whose collisions are at time zero, 1.5
-/// times N tc, the duration of the soft column's contact. s; NaN where there is no result.
+/// times N tc, the duration of the soft column's contact. For vibrated columns ten periods. s; NaN where there is no
+/// result.
 double show_time(const Parameters& parameters, const Collision& collision);
 
 /// `count` >= 2 times from 0 to `duration`, both included, evenly spaced.

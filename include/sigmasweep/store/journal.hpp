@@ -22,9 +22,9 @@ struct JournalIdentity {
 class Journal {
  public:
   /// Opens what is there. Holds an exclusive fcntl lock for its lifetime, on TABLE.h5.lock, taken before anything else
-  /// is opened. `fresh` replaces a journal by an empty one at once; else one of this identity is gone on with: a torn tail
-  /// (from a kill or a full disk) is cut off, damaged records before it are passed over. If there is none, begin() or
-  /// the first append() makes it. Throws OutputError (another process
+  /// is opened. `fresh` replaces a journal by an empty one at once; else one of this identity is gone on with: a torn
+  /// tail (from a kill or a full disk) is cut off, damaged records before it are passed over. If there is none, begin()
+  /// or the first append() makes it. Throws OutputError (another process
   /// holds it; cannot be created; foreign, or of another spec, physics version or number of rows: then the file is
   /// left as it is and the message says how to go on) or IoError.
   ///

@@ -35,8 +35,8 @@ struct TableInfo {
 ///
 /// Goes to PATH.part, space set aside up front, read back and compared by checksum, sealed with a checksum of the whole
 /// file behind its end, synced, then renamed: PATH is complete or as it was before. Every rank returns or every rank
-/// throws the same error (OutputError: cannot be created; IoError: disk full, a failed write, other bytes read back than
-/// written). /results is the same to the bit for any number of ranks and any blocks.
+/// throws the same error (OutputError: cannot be created; IoError: disk full, a failed write, other bytes read back
+/// than written). /results is the same to the bit for any number of ranks and any blocks.
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
                  std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block);
 

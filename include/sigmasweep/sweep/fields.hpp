@@ -14,7 +14,8 @@
 namespace sigmasweep {
 
 enum class FieldType : std::uint8_t {
-  real, integer, unsigned_integer, integer32, method, wall, integrator, end, status, law, material, ed_rule, flag
+  real, integer, unsigned_integer, integer32, method, wall, integrator, end, status, law, material, ed_rule, flag,
+  geometry
 };
 
 struct Field {

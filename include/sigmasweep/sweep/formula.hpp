@@ -30,4 +30,15 @@ class Formula {
   std::unique_ptr<Impl> impl_;
 };
 
+/// A function of x, such as "0.5*x^2 + sin(x)", written as expressions are.
+class FunctionOfX {
+ public:
+  /// Throws UsageError as Formula does.
+  explicit FunctionOfX(const std::string& expression);
+  double operator()(double x);
+
+ private:
+  Formula formula_;
+};
+
 }  // namespace sigmasweep

@@ -21,13 +21,14 @@ namespace sigmasweep {
 ///     checks  = 20    # of these with both references
 ///     repeats = 5     # timings, of which the smallest counts
 ///     seconds = 0.1   # CPU time for one setting of a scene, or for the references: as many of the tuples as fit
+///     repeat_seconds = 1   # a setting that has taken longer is not timed once more
 ///     longest = 0.5   # settings of which a tuple is predicted to take longer, s, are left out
 ///     seed    = 0
 struct PrecisionSpec {
   std::vector<Integrator> integrators{Integrator::exact, Integrator::gear5, Integrator::verlet, Integrator::rk4};
   std::vector<double> steps_per_tc{20, 50, 100, 200, 500, 1000}, tolerances{1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13};
   std::uint64_t tuples = 400, checks = 20, repeats = 5, seed = 0;
-  double seconds = 0.1, longest = 0.5;
+  double seconds = 0.1, repeat_seconds = 1.0, longest = 0.5;
 };
 
 /// What one setting of one integrator is worth in one scene. A plain value of fixed size: it is sent between ranks and

@@ -24,11 +24,12 @@ struct FitSpec {
   double to = std::numeric_limits<double>::infinity();
 };
 
-/// A dashed line to compare with: horizontal at y, or with a slope (that of log y against log x where both axes are
-/// logarithmic) through a point.
+/// A dashed line to compare with: horizontal at y; a curve, y an expression of x; or with a slope (that of log y
+/// against log x where both axes are logarithmic) through a point.
 struct GuideSpec {
   std::string label;
   std::optional<double> y{};                      ///< horizontal; else:
+  std::string curve{};                            ///< y as an expression of x (see FunctionOfX); empty:
   double slope = 0.0;
   std::optional<std::array<double, 2>> through{}; ///< the point; else the last one (largest x) of
   std::string where{};                            ///< the rows drawn for which this holds; empty: of all
@@ -37,14 +38,17 @@ struct GuideSpec {
 };
 
 /// What a plot shows: rows as points; the trajectories of rows, a panel each (such a plot has nothing else but name,
-/// title and where); or where a fixed time step is stable (name, title, where, y and y_scale).
+/// title, where, and of vibrated columns x = "time" or "phase"); or where a fixed time step is stable (name, title,
+/// where, y and y_scale).
 enum class PlotKind { points, trajectories, stability };
 
-/// [plot] of a spec, or one of several [[plot]].
+/// [plot] of a spec, or one of several [[plot]]. Where all columns of a sweep are vibrated it is h_cm_excess against
+/// alpha on a linear axis unless the spec says something else.
 struct PlotSpec {
   std::string name;                 ///< letters, digits, '-', '_'; empty: none
   PlotKind kind = PlotKind::points;
   std::string x = "sigma", y = "eps_eff";  ///< fields, or expressions over them (see Formula)
+  std::string y_error;              ///< the same, for error bars; empty: h_cm_error of h_cm and h_cm_excess, else none
   std::string x_label, y_label;     ///< empty: made from x and y
   bool x_log = true, y_log = false;
   std::vector<std::string> series;  ///< names of fields: one curve per distinct combination
@@ -54,6 +58,7 @@ struct PlotSpec {
   bool lines = false;               ///< the points of a series joined
   std::optional<FitSpec> fit;
   std::vector<GuideSpec> guides;
+  bool by_phase = false;            ///< trajectories against the phase of the plate, not time
 };
 
 /// Whether the manager rank also computes. automatic: yes, unless there are many ranks.
@@ -72,7 +77,8 @@ enum class ManagerRole { automatic, computes, dedicated };
 ///
 /// Enumerations (method, law, ...) are names, random_separation is true or false.
 ///
-/// v0, N and one of s0 and sigma must be given, and stiffness and damping in one of three ways: tc and epsilon;
+/// v0, N and one of s0 and sigma must be given, of vibrated columns N and one of alpha and A0 (s0 is 0 unless given, v0
+/// only counts for laws that are not linear); and stiffness and damping in one of three ways: tc and epsilon;
 /// K_over_m and D_n (default 0); material = "steel" | "aluminium", which has its own d, too. With the last two tc and
 /// epsilon follow at each v0. Everything else has the defaults of Parameters, but law = "power" needs beta and gamma.
 /// With a tolerance and without steps_per_tc the integrators of fixed step choose their step (steps_per_tc = 0).
@@ -80,7 +86,7 @@ enum class ManagerRole { automatic, computes, dedicated };
 /// default only gives sigma its unit. A parameter that no tuple uses (steps_per_tc without a fixed-step integrator, a
 /// seed where nothing is random, ...; see usage.hpp) is an error. So is a pair that is too damped to come apart, but in
 /// very large sweeps only where an axis has its extremes; elsewhere its row fails. `zip` names groups of axes that
-/// advance together, `where` a condition on the parameters (see Where). geometry = "column" is the only one.
+/// advance together, `where` a condition on the parameters (see Where).
 ///
 /// Index -> tuple is arithmetic: up to 2^40 tuples cost no memory. With `where` up to 2^26 tuples (fewer if it is
 /// longer than 64 characters; 2^17 if there are more than 2^13 different nonlinear pairs of a given stiffness) are
@@ -111,8 +117,9 @@ class Sweep {
   const std::vector<std::string>& axes() const;
   /// How many values each of them takes, in the same order.
   const std::vector<std::uint64_t>& axis_sizes() const;
-  /// What /results holds: the fixed members (v0, tc, s0, sigma, N, epsilon, method), other parameters that are axes,
-  /// then the results.
+  /// What /results holds: the fixed members (v0, tc, s0, sigma, N, epsilon, method; of vibrated columns tc where
+  /// there is one, N, epsilon, method, frequency, alpha, A0, periods), other parameters that are axes, then the
+  /// results.
   const std::vector<Field>& columns() const;
 
  private:

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "sigmasweep/scene/parameters.hpp"
+
+namespace sigmasweep {
+
+/// A step of complete(), for vibrated columns: alpha = A0 (2 pi f)^2/g and A0, the missing one from the other. Where
+/// both are there and differ A0 counts. What is complete already stays as it is, to the bit.
+void give_plate(Parameters& parameters);
+
+/// A0 sin(2 pi f t), Eq. (1), m; t in s. Of complete parameters.
+double plate_height(const Parameters& parameters, double t);
+
+}  // namespace sigmasweep

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "sigmasweep/scene/collision.hpp"
+#include "sigmasweep/scene/parameters.hpp"
+#include "sigmasweep/solve/patience.hpp"
+
+/// A column that rests on a plate, under gravity, when the plate begins to move as z0(t) = A0 sin(2 pi f t), Eq. (1);
+/// Sec. V. Each of these follows it for all periods and fills in Collision::vibration, contacts, end and status, of
+/// soft spheres also x_max.
+namespace sigmasweep {
+
+Collision simulate_vibrated(const Parameters& parameters, Patience* patience = nullptr);
+Collision simulate_vibrated_soft_spheres(const Parameters& parameters, Patience* patience = nullptr);
+
+/// Bounces on the plate end in finite time: beads whose next bounces would be over within 1e-8 periods are at rest on
+/// it, and such columns, like others that collapse, are Status::collapsed. With EdRule::tc there is no such end: a bead
+/// goes on in hops of about tc, so a period takes some 1/(f tc) collisions a bead. Status::event_limit after 2e7
+/// collisions in one period, as of elastic beads that the plate only just lifts.
+Collision simulate_vibrated_hard_spheres(const Parameters& parameters, Patience* patience = nullptr);
+
+}  // namespace sigmasweep

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+namespace sigmasweep::plot {
+
+/// The smallest range that holds what it is told of; NaN it passes over.
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void take(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  bool is_empty() const { return !(low <= high); }
+};
+
+}  // namespace sigmasweep::plot

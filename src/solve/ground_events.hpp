@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "contact_events.hpp"
+#include "plate.hpp"
+#include "sigmasweep/solve/column.hpp"
+
+namespace sigmasweep {
+
+/// A column's contact events above the ground: a fixed wall, which needs nothing more, or a plate that vibrates.
+template <class Solver, class Real, class Group, int Motions, class Ground>
+class GroundEvents : public ContactEvents<Solver, Real, Group, Motions> {
+ protected:
+  GroundEvents(std::size_t contacts, const Ground& ground)
+      : ContactEvents<Solver, Real, Group, Motions>(contacts), ground_(ground) {}
+
+  [[no_unique_address]] Ground ground_;
+};
+
+/// Of the Solver this wants, besides what ContactEvents does:
+///     PlateWork work_of(Group&, elapsed)       from the start of the group's step to `elapsed` later
+///     void state_at(t, x, u)                   of all contacts
+///     Status why_stop()                        ok: go on
+///     column_                                  masses over the mean bead's
+template <class Solver, class Group>
+class GroundEvents<Solver, double, Group, 1, Plate> : public ContactEvents<Solver, double, Group> {
+  using Events = ContactEvents<Solver, double, Group>;
+
+ public:
+  /// All periods that the watcher (VibrationStatistics says what one is) wants. Outcome: x_max, contacts, end, status.
+  template <class Watcher>
+  Outcome<double> follow(Watcher& watcher) {
+    const auto state = [this](double t, auto x, auto u) { solver().state_at(t, x, u); };
+    Outcome<double> outcome;
+    this->regroup({0, N_ - 1}, 0.0);
+    const double period = ground_.period(), energy = energy_at(0.0);
+    while (!watcher.done() && outcome.status == Status::ok) {
+      const double t = events_.time_of(events_.first());
+      watcher.until(std::min(t, period), state);
+      if (t > period) {
+        watcher.end_period(energy_at(period) - energy, work_until(period).in, work_until(period).lost);
+        begin_period();
+        continue;
+      }
+      outcome.status = t >= -period ? solver().why_stop() : Status::non_finite;
+      if (outcome.status == Status::ok) this->advance(t);
+    }
+    if (outcome.status == Status::ok) outcome.end = End::periods;
+    outcome.x_max = this->x_max_;
+    outcome.contacts = this->contacts_;
+    return outcome;
+  }
+
+ protected:
+  GroundEvents(std::size_t contacts, const Plate& plate) : Events(contacts), ground_(plate) {}
+
+  using Events::N_, Events::at_, Events::closed_, Events::group_of_, Events::epoch_, Events::events_;
+
+  Plate ground_;
+  PlateWork work_done_;  ///< without the groups' present steps
+
+ private:
+  Solver& solver() { return static_cast<Solver&>(*this); }
+
+  bool begins_group(std::size_t k) const {
+    return group_of_[k] != Events::none && (k == 0 || group_of_[k] != group_of_[k - 1]);
+  }
+
+  PlateWork work_until(double t) {
+    PlateWork work = work_done_;
+    for (std::size_t k = 0; k < N_; ++k)
+      if (begins_group(k)) {
+        Group& group = Events::group(group_of_[k]);
+        work += solver().work_of(group, t - group.start);
+      }
+    return work;
+  }
+
+  /// The clock goes back by a period, so that the phase stays as exact as it was.
+  void begin_period() {
+    const double period = ground_.period();
+    for (std::size_t k = 0; k < N_; ++k) {
+      at_[k] -= period;
+      events_.set(k, events_.time_of(k) - period);
+      if (begins_group(k)) Events::group(group_of_[k]).start -= period;
+    }
+    epoch_ += period;
+  }
+
+  /// Kinetic energy in the room's frame, that of gravity, and that of the springs.
+  double energy_at(double t) {
+    std::vector<double> x(N_), u(N_);
+    solver().state_at(t, x, u);
+    const Column<double>& column = solver().column_;
+    const double power = 2.0 + column.exponents.beta;
+    double height = ground_.height(t), speed = ground_.speed(t), sum = 0.0;
+    for (std::size_t k = 0; k < N_; ++k) {
+      height -= x[k];
+      speed -= u[k];
+      sum += (0.5 * speed * speed + ground_.g * height) / column.inverse_mass(k);
+      if (closed_[k]) sum += column.spring(k) * std::pow(std::max(x[k], 0.0), power) / power;
+    }
+    return sum;
+  }
+};
+
+}  // namespace sigmasweep

@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "fixed_step_laws.hpp"
+#include "samples.hpp"
+#include "vibrated_fixed_step.hpp"
+#include "vibration_statistics.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// Steps a scheme through the periods of the plate, each of the same whole number of steps.
+template <class Chain, template <class> class Scheme, class Watcher>
+class PlateRun {
+ public:
+  PlateRun(const Column<double>& column, const Plate& plate, double steps_per_period, Watcher& watcher)
+      : column_(column), plate_(plate), steps_(steps_per_period), dt_(plate.period() / steps_per_period),
+        chain_(column, dt_, plate), scheme_(chain_), x_(contacts()), u_(contacts()), closed_(contacts()),
+        watcher_(watcher) {
+    for (std::size_t k = 0; k < contacts(); ++k) closed_[k] = scheme_.x()[k] > 0.0;
+  }
+
+  Outcome<double> operator()(Patience* patience) {
+    const double start = energy();
+    lost_before_ = power_lost();
+    in_before_ = power_in(0.0);
+    while (!watcher_.done() && outcome_.status == Status::ok) {
+      for (double step = 0.0; step < steps_ && outcome_.status == Status::ok; ++step) {
+        advance(step);
+        if (patience && patience->is_over(contacts())) outcome_.status = Status::time_limit;
+      }
+      const double now = energy();
+      if (!std::isfinite(now)) outcome_.status = Status::unstable;
+      if (outcome_.status == Status::ok) watcher_.end_period(now - start, in_, lost_);
+    }
+    if (outcome_.status == Status::ok) outcome_.end = End::periods;
+    return outcome_;
+  }
+
+ private:
+  std::size_t contacts() const { return chain_.contacts; }
+
+  void advance(double step) {
+    std::copy_n(scheme_.x(), contacts(), x_.begin());
+    std::copy_n(scheme_.u(), contacts(), u_.begin());
+    chain_.set_time(step);
+    scheme_.step();
+    for (std::size_t k = 0; k < contacts(); ++k) {
+      const bool closed = scheme_.x()[k] > 0.0;
+      outcome_.contacts += closed_[k] && !closed;
+      closed_[k] = closed;
+      outcome_.x_max = std::max(outcome_.x_max, scheme_.x()[k]);
+    }
+    const double lost = power_lost(), in = power_in(step + 1.0);
+    lost_ += 0.5 * (lost_before_ + lost);  // the trapezoidal rule
+    in_ += 0.5 * (in_before_ + in);
+    lost_before_ = lost;
+    in_before_ = in;
+    watcher_.until((step + 1.0) * dt_, [&](double t, auto x, auto u) {
+      for (std::size_t k = 0; k < contacts(); ++k) {
+        const BetweenSteps now(t / dt_ - step, 1.0, x_[k], u_[k], scheme_.x()[k], scheme_.u()[k]);
+        x[k] = now.x;
+        u[k] = now.u / dt_;
+      }
+    });
+  }
+
+  /// A step's, in the solver's units.
+  double power_lost() const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < contacts(); ++k) {
+      const double x = scheme_.x()[k], u = scheme_.u()[k];
+      sum += where_closed(chain_.force, 0.0, chain_.C[k], x, u) * u;
+    }
+    return sum / (dt_ * dt_);
+  }
+  double power_in(double step) const {
+    const double force = where_closed(chain_.force, chain_.K[0], chain_.C[0], scheme_.x()[0], scheme_.u()[0]);
+    return force / dt_ * plate_.speed(step * dt_);
+  }
+  /// At the beginning of a period, where the plate is in the middle.
+  double energy() const {
+    double height = 0.0, speed = plate_.speed(0.0), sum = 0.0;
+    for (std::size_t k = 0; k < contacts(); ++k) {
+      const double x = scheme_.x()[k], mass = 1.0 / column_.inverse_mass(k);
+      height -= x;
+      speed -= scheme_.u()[k] / dt_;
+      sum += mass * (0.5 * speed * speed + plate_.g * height);
+      if (x > 0.0) sum += 0.5 * chain_.force.elastic(chain_.K[k], x) / (dt_ * dt_);
+    }
+    return sum;
+  }
+
+  const Column<double>& column_;
+  Plate plate_;
+  double steps_, dt_;
+  Chain chain_;
+  Scheme<Chain> scheme_;
+  std::vector<double> x_, u_;  ///< before the step
+  std::vector<std::uint8_t> closed_;
+  Watcher& watcher_;
+  double lost_ = 0.0, in_ = 0.0, lost_before_ = 0.0, in_before_ = 0.0;
+  Outcome<double> outcome_;
+};
+
+template <class Chain, class Watcher>
+Outcome<double> run(const Column<double>& column, const Plate& plate, Integrator integrator, double steps,
+                    Watcher& watcher, Patience* patience) {
+  const DenormalsAreZero guard;
+  switch (integrator) {
+    case Integrator::gear5: return PlateRun<Chain, Gear5, Watcher>(column, plate, steps, watcher)(patience);
+    case Integrator::verlet: return PlateRun<Chain, Verlet, Watcher>(column, plate, steps, watcher)(patience);
+    case Integrator::rk4: return PlateRun<Chain, RungeKutta4, Watcher>(column, plate, steps, watcher)(patience);
+    case Integrator::exact: break;
+  }
+  throw std::invalid_argument("follow_by_fixed_steps: not an integrator of fixed step");
+}
+
+}  // namespace
+
+template <class Watcher>
+Outcome<double> follow_by_fixed_steps(const Column<double>& column, const Plate& plate, Integrator integrator,
+                                      double dt, Watcher& watcher, Patience* patience) {
+  const double steps = std::ceil(plate.period() / dt);
+  return with_law(column, [&]<class Force, bool Uneven>() {
+    return run<Chain<Force, Uneven, Plate>>(column, plate, integrator, steps, watcher, patience);
+  });
+}
+
+template Outcome<double> follow_by_fixed_steps(const Column<double>&, const Plate&, Integrator, double,
+                                               VibrationStatistics&, Patience*);
+template Outcome<double> follow_by_fixed_steps(const Column<double>&, const Plate&, Integrator, double,
+                                               VibratedSamples&, Patience*);
+
+}  // namespace sigmasweep

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sigmasweep/scene/parameters.hpp"
+#include "sigmasweep/solve/column.hpp"
+
+/// Columns of soft spheres as tests want them.
+namespace sigmasweep {
+
+inline Parameters soft_column(std::int64_t N, double epsilon, double sigma) {
+  Parameters p;
+  p.N = N;
+  p.epsilon = epsilon;
+  p.sigma = sigma;
+  return complete(p, Gap::sigma);
+}
+
+template <class Real>
+double eps_eff(const Column<Real>& column, const Outcome<Real>& outcome) {
+  return static_cast<double>(energies<Real>(outcome.velocity, column.speed, column.mass).eps_eff);
+}
+
+}  // namespace sigmasweep
