@@ -40,6 +40,12 @@ std::string why_plate_invalid(const Parameters& p) {
   return {};
 }
 
+/// Of the plate. In periods first, of which the whole ones do not count: as exact after many of them.
+double phase(const Parameters& p, double t) {
+  const double turns = p.frequency * t;
+  return 2.0 * std::numbers::pi * (turns - std::floor(turns));
+}
+
 }  // namespace
 
 /// Spring from the elasticity, Sec. III B, dashpot from the restitution at 1 m/s. For the linear law both from the
@@ -96,10 +102,9 @@ void give_plate(Parameters& p) {
     p.alpha = p.A0 / unit;
 }
 
-/// In periods first, of which the whole ones do not count: as exact after many of them.
-double plate_height(const Parameters& p, double t) {
-  const double turns = p.frequency * t;
-  return p.A0 * std::sin(2.0 * std::numbers::pi * (turns - std::floor(turns)));
+double plate_height(const Parameters& p, double t) { return p.A0 * std::sin(phase(p, t)); }
+double plate_speed(const Parameters& p, double t) {
+  return p.A0 * 2.0 * std::numbers::pi * p.frequency * std::cos(phase(p, t));
 }
 
 Parameters complete(Parameters parameters, Gap given) {

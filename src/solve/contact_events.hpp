@@ -67,7 +67,7 @@ class ContactEvents {
 
   bool nothing_touches() const { return idle_.size() == groups_.size(); }
 
-  /// Where nothing touches, time t may become time 0: flights may be so long that a clock which counts them all could
+  /// At a fixed wall, where nothing touches, time t may become time 0: flights may be so long that a clock which counts them all could
   /// not tell the moments of a contact apart.
   void begin_anew(const Real& t) {
     for (std::size_t k = 0; k < N_; ++k) {

@@ -147,7 +147,7 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_group(Group& g
                                                                            bool whole_step) {
   if constexpr (Ground::moves) {
     this->work_done_ += work_of(group, elapsed);
-    if (group.resting) return move_resting(group, elapsed);
+    if (group.resting) return move_resting(elapsed);
   }
   if (group.binary)
     move_binary(group, elapsed, whole_step);
@@ -159,7 +159,7 @@ template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_taylor(Group& group, const Real& elapsed,
                                                                             bool whole_step) {
   const std::size_t n = group.hi - group.lo + 1;
-  const Real s = whole_step ? group.scaled : Real(elapsed / group.longest);
+  const Real s = whole_step ? group.scaled : Real(elapsed / group.taylor.step());
   for (int m = 0; m < motions; ++m)
     group.taylor.evaluate(m, s, std::span(motion_[m].x).subspan(group.lo, n),
                           std::span(motion_[m].u).subspan(group.lo, n));

@@ -124,7 +124,7 @@ class ExactColumn
   void begin_taylor(Group& group);
   void drive(Group& group, Real& h) requires(Ground::moves);
   bool begin_rest(Group& group) requires(Ground::moves);
-  void move_resting(Group& group, const Real& elapsed) requires(Ground::moves);
+  void move_resting(const Real& elapsed) requires(Ground::moves);
   PlateWork work_of(const Group& group, const Real& elapsed) const requires(Ground::moves);
   Status why_stop() requires(Ground::moves);
   Balance balance() const;

@@ -11,6 +11,8 @@ namespace {
 /// A step that goes by RestingCluster is worth this many of the series' steps.
 constexpr double worth = 4.0;
 constexpr int longest_wait = 16;
+/// Beads up to which their modes are worth finding: tenths of a second where masses differ, a hundredth else.
+constexpr std::size_t most_beads = 100, most_uneven_beads = 32;
 
 }  // namespace
 
@@ -45,7 +47,7 @@ bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_rest(Group& g
   if (group.lo > 0 || !(ground_.load(group.start) > 0)) return false;
   std::size_t beads = 0;
   while (beads <= group.hi && closed_[beads]) ++beads;
-  if (beads < group.hi || beads == 0) return false;
+  if (beads < group.hi || beads == 0 || beads > (Uneven ? most_uneven_beads : most_beads)) return false;
   if (on_ground_.wait-- > 0) return false;
   auto& clusters = on_ground_.clusters;
   if (clusters.size() <= beads) clusters.resize(N_ + 1);
@@ -60,21 +62,18 @@ bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_rest(Group& g
   }
   on_ground_.wait = on_ground_.tries = 0;
   on_ground_.resting = &cluster;
+  work_ += beads;
   group.length = length;
   group.event = false;
   return true;
 }
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_resting(Group& group, const Real& elapsed)
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_resting(const Real& elapsed)
   requires(Ground::moves)
 {
-  constexpr int places = 4;
-  for (int place = 1; place <= places; ++place) {
-    on_ground_.resting->evaluate(elapsed * Real(place) / Real(places), x_, u_);
-    for (std::size_t k = group.lo; k <= group.hi; ++k) x_max_ = std::max(x_max_, x_[k]);
-  }
-  group.prepared = false;
+  x_max_ = std::max(x_max_, on_ground_.resting->deepest(elapsed));
+  on_ground_.resting->evaluate(elapsed, x_, u_);
 }
 
 /// int F_0 z0' dt and sum_k int C_k u_k^2 dt from the start of the group's step to `elapsed` later.
@@ -117,7 +116,7 @@ PlateWork ExactColumn<Real, Disturbances, Uneven, Order, Ground>::work_of(const 
   template Status Plate##Uneven::why_stop();                                               \
   template void Plate##Uneven::drive(Group&, double&);                                     \
   template bool Plate##Uneven::begin_rest(Group&);                                         \
-  template void Plate##Uneven::move_resting(Group&, const double&);                        \
+  template void Plate##Uneven::move_resting(const double&);                                \
   template PlateWork Plate##Uneven::work_of(const Group&, const double&) const;
 SIGMASWEEP_INSTANTIATE(false)
 SIGMASWEEP_INSTANTIATE(true)

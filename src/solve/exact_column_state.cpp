@@ -27,7 +27,7 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::state_at(const Real
         continue;
       }
     if (!group.binary) {
-      group.taylor.evaluate(0, elapsed / group.longest, x.subspan(group.lo, n), u.subspan(group.lo, n));
+      group.taylor.evaluate(0, elapsed / group.taylor.step(), x.subspan(group.lo, n), u.subspan(group.lo, n));
       k = group.hi;
       continue;
     }

@@ -41,14 +41,18 @@ class GroundEvents<Solver, double, Group, 1, Plate> : public ContactEvents<Solve
       const double t = events_.time_of(events_.first());
       watcher.until(std::min(t, period), state);
       if (t > period) {
-        watcher.end_period(energy_at(period) - energy, work_until(period).in, work_until(period).lost);
+        const PlateWork work = work_until(period);
+        watcher.end_period(energy_at(period) - energy, work.in, work.lost);
         begin_period();
         continue;
       }
       outcome.status = t >= -period ? solver().why_stop() : Status::non_finite;
       if (outcome.status == Status::ok) this->advance(t);
     }
-    if (outcome.status == Status::ok) outcome.end = End::periods;
+    if (outcome.status == Status::ok) {
+      outcome.end = End::periods;
+      for (std::size_t k = 0; k < N_; ++k) this->release(k, 0.0);  // overlaps of the present steps count, too
+    }
     outcome.x_max = this->x_max_;
     outcome.contacts = this->contacts_;
     return outcome;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <Eigen/Dense>
 
@@ -11,7 +12,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i{0.0, 1.0};
 /// Modes are trusted if they give the start back to this, relative to it.
-constexpr double sound = 1e-10;
+constexpr double sound = 1e-12;
 
 Eigen::MatrixXd coupling(const Column<double>& column, std::size_t n) {
   const auto size = Eigen::Index(n);
@@ -23,19 +24,66 @@ Eigen::MatrixXd coupling(const Column<double>& column, std::size_t n) {
   return T;
 }
 
+/// sum_n z^n first!/(n + first)!, which is (e^z - 1)/z for first = 1; |z| < 1.
+Complex series(const Complex& z, int first) {
+  Complex sum = 1.0, term = 1.0;
+  for (int n = first + 1; std::abs(term) > 1e-17; ++n) sum += term *= z / double(n);
+  return sum;
+}
+
 /// (e^(s t) - 1)/s
 Complex integral(const Complex& s, double t) {
   const Complex st = s * t;
-  if (std::abs(st) < 1e-3) return t * (1.0 + st / 2.0 * (1.0 + st / 3.0 * (1.0 + st / 4.0 * (1.0 + st / 5.0))));
-  return (std::exp(st) - 1.0) / s;
+  return std::abs(st) < 0.5 ? t * series(st, 1) : (std::exp(st) - 1.0) / s;
 }
 
 /// (e^(s t) - 1 - s t)/s^2
 Complex second_integral(const Complex& s, double t) {
   const Complex st = s * t;
-  if (std::abs(st) < 1e-2)
-    return t * t / 2.0 * (1.0 + st / 3.0 * (1.0 + st / 4.0 * (1.0 + st / 5.0 * (1.0 + st / 6.0 * (1.0 + st / 7.0)))));
-  return (std::exp(st) - 1.0 - st) / (s * s);
+  return std::abs(st) < 0.5 ? 0.5 * t * t * series(st, 2) : (std::exp(st) - 1.0 - st) / (s * s);
+}
+
+/// Rates lambda, modes V (rows: n overlaps, n rates) and V^-1.
+struct Modes {
+  Eigen::VectorXcd lambda;
+  Eigen::MatrixXcd V, inverse;
+};
+
+/// Dashpots in proportion to the springs, C = c K: with the symmetric S = sqrt(K) T sqrt(K) = Q mu Q^T each of the n
+/// shapes x = K^(-1/2) q is an oscillator lambda^2 + c mu lambda + mu = 0 of its own.
+Modes proportional_modes(const Eigen::MatrixXd& T, const Eigen::VectorXd& K, double c) {
+  const Eigen::Index n = K.size();
+  const Eigen::VectorXd root = K.cwiseSqrt();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * T * root.asDiagonal());
+  const Eigen::MatrixXd shape = root.cwiseInverse().asDiagonal() * solver.eigenvectors();
+  const Eigen::MatrixXd analysis = solver.eigenvectors().transpose() * root.asDiagonal();
+  Modes modes{Eigen::VectorXcd(2 * n), Eigen::MatrixXcd(2 * n, 2 * n), Eigen::MatrixXcd(2 * n, 2 * n)};
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double mu = solver.eigenvalues()[j], half = 0.5 * c * mu;
+    const Complex apart = std::sqrt(Complex(half * half - mu));
+    // The slower of two real rates without cancellation.
+    const Complex fast = -half - apart, slow = half * half > mu ? mu / fast : -half + apart;
+    for (const auto& [column, rate, other] : {std::tuple(j, fast, slow), std::tuple(n + j, slow, fast)}) {
+      modes.lambda[column] = rate;
+      modes.V.col(column) << shape.col(j).cast<Complex>(), rate * shape.col(j).cast<Complex>();
+      modes.inverse.row(column) << -other / (rate - other) * analysis.row(j).cast<Complex>(),
+          analysis.row(j).cast<Complex>() / (rate - other);
+    }
+  }
+  return modes;
+}
+
+/// Any dashpots: of the system of first order, x' = u, u' = -T (K x + C u).
+Modes general_modes(const Eigen::MatrixXd& TK, const Eigen::MatrixXd& TC) {
+  const Eigen::Index n = TK.rows();
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  A.topRightCorner(n, n).setIdentity();
+  A.bottomLeftCorner(n, n) = -TK;
+  A.bottomRightCorner(n, n) = -TC;
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+  Modes modes{solver.eigenvalues(), solver.eigenvectors(), {}};
+  modes.inverse = modes.V.inverse();
+  return modes;
 }
 
 }  // namespace
@@ -60,23 +108,17 @@ RestingCluster::RestingCluster(const Column<double>& column, const Plate& plate,
   const Eigen::VectorXcd w = response.fullPivLu().solve(drive * first.cast<Complex>());
   w_.assign(w.begin(), w.end());
 
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * size, 2 * size);
-  A.topRightCorner(size, size).setIdentity();
-  A.bottomLeftCorner(size, size) = -TK;
-  A.bottomRightCorner(size, size) = -TC;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
-  if (solver.info() != Eigen::Success) return;
-  const Eigen::MatrixXcd V = solver.eigenvectors(), inverse = V.inverse();
-  const auto& lambda = solver.eigenvalues();
-  lambda_.assign(lambda.begin(), lambda.end());
+  const bool proportional = (C * K[0] - K * C[0]).cwiseAbs().maxCoeff() <= 1e-15 * C[0] * K.maxCoeff();
+  const Modes modes = proportional ? proportional_modes(T, K, C[0] / K[0]) : general_modes(TK, TC);
+  for (const Complex& rate : modes.lambda) lambda_.emplace_back(std::min(rate.real(), 0.0), rate.imag());
   modes_.resize(4 * n * n);
   inverse_.resize(4 * n * n);
   for (Eigen::Index row = 0; row < 2 * size; ++row)
     for (Eigen::Index j = 0; j < 2 * size; ++j) {
-      mode(std::size_t(row), std::size_t(j)) = V(row, j);
-      inverse_[std::size_t(row * 2 * size + j)] = inverse(row, j);
+      mode(std::size_t(row), std::size_t(j)) = modes.V(row, j);
+      inverse_[std::size_t(row * 2 * size + j)] = modes.inverse(row, j);
     }
-  is_sound_ = inverse.allFinite();
+  is_sound_ = modes.V.allFinite() && modes.inverse.allFinite();
 }
 
 bool RestingCluster::start(std::span<const double> x, std::span<const double> u, double t) {
@@ -117,6 +159,29 @@ double RestingCluster::lowest_quasi_static(std::size_t k, double from, double to
   const double shift = std::arg(w_[k]) + 0.5 * std::numbers::pi;  // sin is -1 where phase + shift is a multiple of turn
   if (std::floor((from + shift) / turn) != std::floor((to + shift) / turn)) return x_static_[k] - forced(k);
   return std::min(quasi_static(k, from), quasi_static(k, to));
+}
+
+double RestingCluster::highest_quasi_static(std::size_t k, double from, double to) const {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const double shift = std::arg(w_[k]) - 0.5 * std::numbers::pi;
+  if (std::floor((from + shift) / turn) != std::floor((to + shift) / turn)) return x_static_[k] + forced(k);
+  return std::max(quasi_static(k, from), quasi_static(k, to));
+}
+
+/// Without the ringing in closed form; with it, at the start, where it is looked at.
+double RestingCluster::deepest(double elapsed) const {
+  constexpr double often = 0.25;  // of t_c, the unit of time
+  constexpr int looks = 64;
+  double largest = 0.0;
+  std::vector<double> x(n_ + 1), u(n_ + 1);
+  for (int look = 0; look <= looks && often * look <= elapsed; ++look) {
+    evaluate(often * look, x, u);
+    largest = std::max(largest, *std::max_element(x.begin(), x.begin() + std::ptrdiff_t(n_)));
+  }
+  if (often * looks >= elapsed) return largest;
+  const double first = plate_.omega * (t_ + often * looks), last = plate_.omega * (t_ + elapsed);
+  for (std::size_t k = 0; k < n_; ++k) largest = std::max(largest, highest_quasi_static(k, first, last));
+  return largest;
 }
 
 /// Whether nothing can happen from `from` to `to` after the start. The modes that are left at `from` only get smaller.

@@ -21,8 +21,6 @@ class RestingCluster {
  public:
   RestingCluster(const Column<double>& column, const Plate& plate, std::size_t n);
 
-  std::size_t beads() const { return n_; }
-
   /// Where it is at time t: overlaps and rates of contacts 0..n-1 and, if there is one, of gap n. False where the modes
   /// cannot tell (two of them almost the same, as in contacts damped critically).
   bool start(std::span<const double> x, std::span<const double> u, double t);
@@ -30,6 +28,9 @@ class RestingCluster {
   /// For how long from the start on certainly nothing opens or closes; not longer than `longest`, nor much shorter than
   /// it could be, but for what is below `shortest`.
   double undisturbed(double longest, double shortest) const;
+
+  /// The largest overlap up to `elapsed` after the start; while it rings, within what is seen four times a contact time.
+  double deepest(double elapsed) const;
 
   /// x and u at `elapsed` after the start.
   void evaluate(double elapsed, std::span<double> x, std::span<double> u) const;
@@ -45,6 +46,7 @@ class RestingCluster {
   bool holds(double from, double to) const;
   double quasi_static(std::size_t k, double phase) const;
   double lowest_quasi_static(std::size_t k, double from, double to) const;
+  double highest_quasi_static(std::size_t k, double from, double to) const;
   double forced(std::size_t k) const { return std::abs(w_[k]); }
 
   Plate plate_;

@@ -8,6 +8,7 @@
 #include "nonlinear_column.hpp"
 #include "plate.hpp"
 #include "samples.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/solve/column.hpp"
 #include "sigmasweep/solve/fixed_step.hpp"
 
@@ -80,12 +81,11 @@ Trajectory record(const Parameters& p, std::span<const double> times) {
   watch(p, column, samples);
 
   const bool vibrates = p.geometry == Geometry::vibrated_column;
-  const Plate plate{p.gravity, p.A0, 2.0 * std::numbers::pi * p.frequency};  // in SI
   Trajectory trajectory;
   trajectory.time.assign(times.begin(), times.end());
   for (std::size_t s = 0; s < times.size(); ++s) {
-    add_up(samples.x(s), units.length, vibrates ? plate.height(times[s]) : 0.0, trajectory.z);
-    add_up(samples.u(s), units.length / units.time, vibrates ? plate.speed(times[s]) : 0.0, trajectory.velocity);
+    add_up(samples.x(s), units.length, vibrates ? plate_height(p, times[s]) : 0.0, trajectory.z);
+    add_up(samples.u(s), units.length / units.time, vibrates ? plate_speed(p, times[s]) : 0.0, trajectory.velocity);
   }
   trajectory.mass = column.is_uniform() ? std::vector<double>(column.contacts(), 1.0) : column.mass;
   for (const double mass : trajectory.mass) trajectory.diameter.push_back(p.d * std::cbrt(mass));

@@ -11,10 +11,11 @@
 namespace sigmasweep {
 namespace {
 
-/// Contacts before giving up.
-std::uint64_t event_limit(const Parameters& p) {
-  const auto N = static_cast<std::uint64_t>(p.N), periods = static_cast<std::uint64_t>(p.periods);
-  return periods * (100'000 + 100 * N * N);
+/// Contacts, and contacts moved in steps (some seconds a period), before giving up.
+ExactOptions limits(const Parameters& p, double periods) {
+  const auto N = static_cast<double>(p.N);
+  return {.event_limit = static_cast<std::uint64_t>(periods * (1e5 + 100.0 * N * N)),
+          .work_limit = static_cast<std::uint64_t>(periods * (1e8 + 1e7 * N))};
 }
 
 /// Until the watcher has seen enough.
@@ -26,7 +27,10 @@ Outcome<double> follow(const Parameters& p, const Column<double>& column, const 
     return follow_by_fixed_steps(column, plate, p.integrator, 1.0 / p.steps_per_tc, watcher, options.patience);
   if (!column.exponents.linear()) {
     const NonlinearOptions nonlinear{
-        .event_limit = options.event_limit, .work_limit = options.work_limit, .patience = options.patience};
+        .accuracy = 1e-12 * plate.A0 * plate.omega,  // in units of the plate's speed, not of v0
+        .event_limit = options.event_limit,
+        .work_limit = options.work_limit,
+        .patience = options.patience};
     return NonlinearColumn<double, Plate>(column, nonlinear, plate).follow(watcher);
   }
   constexpr int order = TaylorOrder<double>::value;
@@ -40,7 +44,8 @@ Collision simulate_vibrated_soft_spheres(const Parameters& p, Patience* patience
   const VibrationUnits units = vibration_units(p);
   const auto column = reduced_column<double>(p);
   VibrationStatistics statistics(p, column, Plate::of(p, units), units);
-  const ExactOptions options{.event_limit = event_limit(p), .work_limit = UINT64_MAX, .patience = patience};
+  ExactOptions options = limits(p, static_cast<double>(p.periods));
+  options.patience = patience;
   const Outcome<double> outcome = follow(p, column, options, statistics);
   Collision c;
   if (p.integrator != Integrator::exact)
@@ -55,7 +60,8 @@ Collision simulate_vibrated_soft_spheres(const Parameters& p, Patience* patience
 }
 
 void watch_vibrated_soft_spheres(const Parameters& p, VibratedSamples& samples) {
-  follow(p, reduced_column<double>(p), {.event_limit = UINT64_MAX, .work_limit = UINT64_MAX}, samples);
+  constexpr double most_periods = 1e6;
+  follow(p, reduced_column<double>(p), limits(p, most_periods), samples);
 }
 
 }  // namespace sigmasweep

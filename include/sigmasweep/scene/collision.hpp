@@ -39,7 +39,7 @@ constexpr bool is_reproducible(Status status) {
 struct Vibration {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   double h_cm = nan;            ///< mean height of the centre of mass above the plate's middle position, m
-  double h_cm_error = nan;      ///< its standard error, by block averages
+  double h_cm_error = nan;      ///< its standard error, by block averages; NaN for a single period
   double h_cm_excess = nan;     ///< h_cm less its value at rest with the plate in the middle, m
   double separation = nan;      ///< mean gap between neighbours (overlaps count as negative), m
   double separation_max = nan;  ///< the largest one, m

@@ -12,7 +12,7 @@ namespace sigmasweep {
 
 /// Beads are numbered from 0, the lowest, here. Values of sample s and bead i are at [s * beads() + i].
 struct Trajectory {
-  /// s, ascending; 0 is the start: all gaps as given, all beads at -v0, or at rest above the plate.
+  /// s, ascending; 0 is the start: all gaps as given, all beads at -v0, or at rest relative to the plate.
   std::vector<double> time;
   /// Reduced heights, Eq. (9), m: the sum of the gaps below a bead, overlaps negative, and of the plate's height.
   std::vector<double> z;

@@ -4,7 +4,7 @@
 #include "sigmasweep/scene/parameters.hpp"
 #include "sigmasweep/solve/patience.hpp"
 
-/// A column that rests on a plate, under gravity, when the plate begins to move as z0(t) = A0 sin(2 pi f t), Eq. (1);
+/// A column under gravity, at rest relative to a plate when that begins to move as z0(t) = A0 sin(2 pi f t), Eq. (1);
 /// Sec. V. Each of these follows it for all periods and fills in Collision::vibration, contacts, end and status, of
 /// soft spheres also x_max.
 namespace sigmasweep {
