@@ -11,7 +11,7 @@ ExactColumn<Real, Disturbances, Uneven, Order, Ground>::ExactColumn(const Column
     : Events(column.contacts(), ground), column_(column), options_(options), laws_(column), steps_(column) {
   if (options_.event_limit == 0) options_.event_limit = 100'000 + 20 * N_ * N_;
   for (std::size_t k = 1; k < N_; ++k) x_[k] = -column.initial_gap(k);  // the wall's only shifts the clock
-  if constexpr (Ground::moves) {  // at rest on the plate, or above it
+  if constexpr (Ground::moves) {  // at rest relative to the plate
     x_[0] = -column.initial_gap(0);
   } else {
     u_[0] = column.speed;
@@ -118,23 +118,11 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::change_contact(std:
 }
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-Real ExactColumn<Real, Disturbances, Uneven, Order, Ground>::closes_in(std::size_t k) const {
-  if constexpr (Ground::moves)
-    if (k == 0) return ground_.landing(state(0), at_[0]);
-  return this->closes_uniformly(k, Real(0));
-}
-
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::fly(std::size_t k, const Real& t) {
-  const Real elapsed = t - at_[k];
-  if constexpr (Ground::moves)
-    if (k == 0) {
-      const State now = ground_.flight(state(0), at_[0], elapsed);
-      x_[0] = now.x;
-      u_[0] = now.u;
-      return;
-    }
-  for (Motion& motion : motion_) motion.x[k] += motion.u[k] * elapsed;
+  const State now = this->free_state(k, t);
+  x_[k] = now.x;
+  u_[k] = now.u;
+  for (int m = 1; m < motions; ++m) motion_[m].x[k] += motion_[m].u[k] * (t - at_[k]);
   using std::abs;
   const Real rounded = abs(u_[k]) * t + abs(x_[k]);  // on the clock, and what the overlap was the sum of
   for (int m = 1; m < motions; ++m)

@@ -113,7 +113,7 @@ class ExactColumn
   static std::optional<std::size_t> event_of(const Group& group) {
     return group.event ? std::optional(group.contact) : std::nullopt;
   }
-  Real closes_in(std::size_t k) const;
+  Real closes_in(std::size_t k) const { return this->closes_at(k, Real(0)); }
   void fly(std::size_t k, const Real& t);
   void change_contact(std::size_t k, const Real& t);
   void move_group(Group& group, const Real& elapsed, bool whole_step);

@@ -10,9 +10,7 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::state_at(const Real
                                                                         std::span<Real> u) const {
   for (std::size_t k = 0; k < N_; ++k) {
     if (group_of_[k] == Events::none) {
-      State now{x_[k] + u_[k] * (t - at_[k]), u_[k]};
-      if constexpr (Ground::moves)
-        if (k == 0) now = ground_.flight(state(0), at_[0], t - at_[0]);
+      const State now = this->free_state(k, t);
       x[k] = now.x;
       u[k] = now.u;
       continue;

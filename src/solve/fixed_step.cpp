@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "energy_balance.hpp"
 #include "fixed_step_laws.hpp"
@@ -196,24 +195,13 @@ class Run {
   Outcome<double> outcome_;
 };
 
-template <class Chain, class Watcher>
-Outcome<double> run(Watcher& watcher, const Column<double>& column, Integrator integrator, double dt,
-                    const FixedStepOptions& options) {
-  const DenormalsAreZero guard;
-  switch (integrator) {
-    case Integrator::gear5: return Run<Chain, Gear5, Watcher>(column, dt, options, watcher)();
-    case Integrator::verlet: return Run<Chain, Verlet, Watcher>(column, dt, options, watcher)();
-    case Integrator::rk4: return Run<Chain, RungeKutta4, Watcher>(column, dt, options, watcher)();
-    case Integrator::exact: break;
-  }
-  throw std::invalid_argument("fixed_step_collision: not an integrator of fixed step");
-}
-
 template <class Watcher>
 Outcome<double> watched_by(Watcher& watcher, const Column<double>& column, Integrator integrator, double dt,
                            const FixedStepOptions& options) {
   return with_law(column, [&]<class Force, bool Uneven>() {
-    return run<Chain<Force, Uneven>>(watcher, column, integrator, dt, options);
+    return with_scheme(integrator, [&]<template <class> class Scheme>() {
+      return Run<Chain<Force, Uneven>, Scheme, Watcher>(column, dt, options, watcher)();
+    });
   });
 }
 

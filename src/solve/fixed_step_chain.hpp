@@ -103,6 +103,16 @@ struct Chain {
       F[k] = where_closed(law, spring[k], dashpot[k], overlap[k], rate[k]);
   }
 
+  /// x'' at the start, where the plate's load acts from the first moment on.
+  Lanes first_acceleration() const requires driven {
+    Lanes F(contacts), a(contacts);
+    forces(x.data(), u.data(), F.data());
+    drive(F.data(), 0.0);
+    const auto view = coupling.view();
+    for (std::size_t k = 0; k < contacts; ++k) a[k] = view.acceleration(F.data(), k);
+    return a;
+  }
+
   std::size_t contacts, blocks;
   std::size_t lanes() const { return blocks * Lanes::width; }  // whole vectors, and the compiler sees it
   Force force;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+
 #include "contact_force.hpp"
 #include "fixed_step_gear5.hpp"
 #include "fixed_step_rk4.hpp"
@@ -35,6 +37,20 @@ auto with_law(const Column<double>& column, With&& with) {
   if (beta == 0.5 && gamma == 0.25) return with.template operator()<HertzForce<1>, true>();
   if (beta == 0.5 && gamma == 0.5) return with.template operator()<HertzForce<2>, true>();
   return with.template operator()<PowerForce, true>();
+}
+
+/// Calls with.operator()<Scheme>() for the integrator, denormal numbers being zero meanwhile. Throws
+/// std::invalid_argument where it has no fixed step.
+template <class With>
+auto with_scheme(Integrator integrator, With&& with) {
+  const DenormalsAreZero guard;
+  switch (integrator) {
+    case Integrator::gear5: return with.template operator()<Gear5>();
+    case Integrator::verlet: return with.template operator()<Verlet>();
+    case Integrator::rk4: return with.template operator()<RungeKutta4>();
+    case Integrator::exact: break;
+  }
+  throw std::invalid_argument("with_scheme: not an integrator of fixed step");
 }
 
 /// Overlap and rate within steps just done, `s` from 0 to 1 on the way: Hermite's cubic through overlaps and rates a

@@ -13,12 +13,7 @@ class Verlet {
  public:
   explicit Verlet(const Chain& chain)
       : chain_(chain), x_(chain.x), u_(chain.u), a_(chain.contacts), predicted_(chain.contacts), F_(chain.contacts) {
-    if constexpr (Chain::driven) {
-      chain.forces(x_.data(), u_.data(), F_.data());
-      chain.drive(F_.data(), 0.0);
-      const auto coupling = chain.coupling.view();
-      for (std::size_t k = 0; k < chain.contacts; ++k) a_[k] = coupling.acceleration(F_.data(), k);
-    }
+    if constexpr (Chain::driven) a_ = chain.first_acceleration();
   }
 
   const double* x() const { return x_.data(); }

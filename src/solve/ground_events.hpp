@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "contact_events.hpp"
+#include "energy_on_plate.hpp"
 #include "plate.hpp"
 #include "sigmasweep/solve/column.hpp"
 
@@ -16,6 +16,13 @@ class GroundEvents : public ContactEvents<Solver, Real, Group, Motions> {
  protected:
   GroundEvents(std::size_t contacts, const Ground& ground)
       : ContactEvents<Solver, Real, Group, Motions>(contacts), ground_(ground) {}
+
+  /// Of contact k, in no group, at time t.
+  ContactState<Real> free_state(std::size_t k, const Real& t) const {
+    return {this->x_[k] + this->u_[k] * (t - this->at_[k]), this->u_[k]};
+  }
+  /// How long it stays open, if it closes at `overlap`.
+  Real closes_at(std::size_t k, const Real& overlap) const { return this->closes_uniformly(k, overlap); }
 
   [[no_unique_address]] Ground ground_;
 };
@@ -63,6 +70,16 @@ class GroundEvents<Solver, double, Group, 1, Plate> : public ContactEvents<Solve
 
   using Events::N_, Events::at_, Events::closed_, Events::group_of_, Events::epoch_, Events::events_;
 
+  ContactState<double> free_state(std::size_t k, double t) const {
+    const double elapsed = t - at_[k];
+    if (k == 0) return ground_.flight(this->state(0), at_[0], elapsed);
+    return {this->x_[k] + this->u_[k] * elapsed, this->u_[k]};
+  }
+  double closes_at(std::size_t k, double overlap) const {
+    if (k == 0) return ground_.landing({this->x_[0] - overlap, this->u_[0]}, at_[0]);
+    return this->closes_uniformly(k, overlap);
+  }
+
   Plate ground_;
   PlateWork work_done_;  ///< without the groups' present steps
 
@@ -94,20 +111,10 @@ class GroundEvents<Solver, double, Group, 1, Plate> : public ContactEvents<Solve
     epoch_ += period;
   }
 
-  /// Kinetic energy in the room's frame, that of gravity, and that of the springs.
   double energy_at(double t) {
     std::vector<double> x(N_), u(N_);
     solver().state_at(t, x, u);
-    const Column<double>& column = solver().column_;
-    const double power = 2.0 + column.exponents.beta;
-    double height = ground_.height(t), speed = ground_.speed(t), sum = 0.0;
-    for (std::size_t k = 0; k < N_; ++k) {
-      height -= x[k];
-      speed -= u[k];
-      sum += (0.5 * speed * speed + ground_.g * height) / column.inverse_mass(k);
-      if (closed_[k]) sum += column.spring(k) * std::pow(std::max(x[k], 0.0), power) / power;
-    }
-    return sum;
+    return energy_on_plate(solver().column_, ground_, t, x, u);
   }
 };
 

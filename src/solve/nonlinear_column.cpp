@@ -71,7 +71,7 @@ template <class Real, class Ground>
 void NonlinearColumn<Real, Ground>::state_at(const Real& t, std::span<Real> x, std::span<Real> u) {
   for (std::size_t k = 0; k < N_; ++k) {
     if (group_of_[k] != Events::none) continue;
-    const ContactState<Real> now = free_state(k, t);
+    const ContactState<Real> now = this->free_state(k, t);
     x[k] = now.x;
     u[k] = now.u;
   }
@@ -83,27 +83,11 @@ void NonlinearColumn<Real, Ground>::state_at(const Real& t, std::span<Real> x, s
     }
 }
 
-/// Of a contact in no group.
-template <class Real, class Ground>
-ContactState<Real> NonlinearColumn<Real, Ground>::free_state(std::size_t k, const Real& t) const {
-  const Real elapsed = t - at_[k];
-  if constexpr (Ground::moves)
-    if (k == 0) return ground_.flight({x_[0], u_[0]}, at_[0], elapsed);
-  return {x_[k] + u_[k] * elapsed, u_[k]};
-}
-
 template <class Real, class Ground>
 void NonlinearColumn<Real, Ground>::fly(std::size_t k, const Real& t) {
-  const ContactState<Real> now = free_state(k, t);
+  const ContactState<Real> now = this->free_state(k, t);
   x_[k] = now.x;
   u_[k] = now.u;
-}
-
-template <class Real, class Ground>
-Real NonlinearColumn<Real, Ground>::closes_in(std::size_t k) const {
-  if constexpr (Ground::moves)
-    if (k == 0) return ground_.landing({x_[0] - closing_overlap_, u_[0]}, at_[0]);
-  return this->closes_uniformly(k, closing_overlap_);
 }
 
 template <class Real, class Ground>

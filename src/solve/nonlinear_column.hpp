@@ -58,11 +58,10 @@ class NonlinearColumn
   void step_group(Group& group);
   static const Real& length_of(const Group& group) { return group.contacts.length(); }
   static std::optional<std::size_t> event_of(const Group& group) { return group.contacts.event(); }
-  Real closes_in(std::size_t k) const;
+  Real closes_in(std::size_t k) const { return this->closes_at(k, closing_overlap_); }
   void fly(std::size_t k, const Real& t);
   PlateWork work_of(Group& group, const Real& elapsed) requires(Ground::moves);
   Status why_stop() requires(Ground::moves);
-  ContactState<Real> free_state(std::size_t k, const Real& t) const;
   void change_contact(std::size_t k, const Real& t);
   void move_group(Group& group, const Real& elapsed, bool whole_step);
   bool is_settled();

@@ -93,23 +93,6 @@ void PowerLawGroup<Real, Ground>::slopes(const State& y, State& dy, const Real& 
   dx[leader_] = dt;
 }
 
-/// The plate's load on contact 0, the power of the plate and that lost in dashpots.
-template <class Real, class Ground>
-void PowerLawGroup<Real, Ground>::drive(State& dy, const Real* x, const Real* u, const Real& elapsed)
-  requires(Ground::moves)
-{
-  Real& power_in = dy[2 * n_];
-  Real& power_lost = dy[2 * n_ + 1];
-  power_in = power_lost = Real(0);
-  if (lo_ == 0) {
-    dy[n_] += ground_.load(begin_ + elapsed);
-    power_in = F_[1] * ground_.speed(begin_ + elapsed);
-  }
-  const Real gamma = column_.exponents.gamma;
-  for (std::size_t i = 0; i < n_; ++i)
-    if (closed_[i]) power_lost += C_[i] * std::pow(std::max(x[i], Real(0)), gamma) * u[i] * u[i];
-}
-
 /// One step of the scheme over `span`; its estimated error over the accuracy.
 template <class Real, class Ground>
 Real PowerLawGroup<Real, Ground>::trial(const Real& span) {

@@ -153,19 +153,13 @@ double RestingCluster::quasi_static(std::size_t k, double phase) const {
   return x_static_[k] + std::imag(w_[k] * std::exp(i * phase));
 }
 
-/// The least x_static + |w| sin(phase + arg w) between two phases.
-double RestingCluster::lowest_quasi_static(std::size_t k, double from, double to) const {
+/// The least (side = -1) or largest (side = 1) x_static + |w| sin(phase + arg w) between two phases.
+double RestingCluster::extreme_quasi_static(std::size_t k, double from, double to, int side) const {
   constexpr double turn = 2.0 * std::numbers::pi;
-  const double shift = std::arg(w_[k]) + 0.5 * std::numbers::pi;  // sin is -1 where phase + shift is a multiple of turn
-  if (std::floor((from + shift) / turn) != std::floor((to + shift) / turn)) return x_static_[k] - forced(k);
-  return std::min(quasi_static(k, from), quasi_static(k, to));
-}
-
-double RestingCluster::highest_quasi_static(std::size_t k, double from, double to) const {
-  constexpr double turn = 2.0 * std::numbers::pi;
-  const double shift = std::arg(w_[k]) - 0.5 * std::numbers::pi;
-  if (std::floor((from + shift) / turn) != std::floor((to + shift) / turn)) return x_static_[k] + forced(k);
-  return std::max(quasi_static(k, from), quasi_static(k, to));
+  const double shift = std::arg(w_[k]) - side * 0.5 * std::numbers::pi;  // there at phase + shift = multiples of a turn
+  if (std::floor((from + shift) / turn) != std::floor((to + shift) / turn)) return x_static_[k] + side * forced(k);
+  const auto [least, largest] = std::minmax({quasi_static(k, from), quasi_static(k, to)});
+  return side < 0 ? least : largest;
 }
 
 /// Without the ringing in closed form; with it, at the start, where it is looked at.
@@ -180,7 +174,7 @@ double RestingCluster::deepest(double elapsed) const {
   }
   if (often * looks >= elapsed) return largest;
   const double first = plate_.omega * (t_ + often * looks), last = plate_.omega * (t_ + elapsed);
-  for (std::size_t k = 0; k < n_; ++k) largest = std::max(largest, highest_quasi_static(k, first, last));
+  for (std::size_t k = 0; k < n_; ++k) largest = std::max(largest, extreme_quasi_static(k, first, last, 1));
   return largest;
 }
 
@@ -195,7 +189,7 @@ bool RestingCluster::holds(double from, double to) const {
   };
   const double first = plate_.omega * (t_ + from), last = plate_.omega * (t_ + to);
   for (std::size_t k = n_; k-- > 0;)
-    if (!(lowest_quasi_static(k, first, last) > ringing(k))) return false;
+    if (!(extreme_quasi_static(k, first, last, -1) > ringing(k))) return false;
   if (!has_gap_) return true;
   std::vector<double> x(n_ + 1), u(n_ + 1);
   evaluate(from, x, u);

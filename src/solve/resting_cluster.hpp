@@ -45,8 +45,7 @@ class RestingCluster {
   const Complex& mode(std::size_t row, std::size_t j) const { return modes_[row * 2 * n_ + j]; }
   bool holds(double from, double to) const;
   double quasi_static(std::size_t k, double phase) const;
-  double lowest_quasi_static(std::size_t k, double from, double to) const;
-  double highest_quasi_static(std::size_t k, double from, double to) const;
+  double extreme_quasi_static(std::size_t k, double from, double to, int side) const;
   double forced(std::size_t k) const { return std::abs(w_[k]); }
 
   Plate plate_;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "energy_on_plate.hpp"
 #include "fixed_step_laws.hpp"
 #include "samples.hpp"
 #include "vibrated_fixed_step.hpp"
@@ -88,17 +88,11 @@ class PlateRun {
   bool is_out_of_nothing(double gain) const {
     return !(gain - in_ + lost_ <= 0.5 * std::max(std::fabs(in_), weight_ * path_));
   }
-  /// At the beginning of a period, where the plate is in the middle.
+  /// At the beginning of a period.
   double energy() const {
-    double height = 0.0, speed = plate_.speed(0.0), sum = 0.0;
-    for (std::size_t k = 0; k < contacts(); ++k) {
-      const double x = scheme_.x()[k], mass = 1.0 / column_.inverse_mass(k);
-      height -= x;
-      speed -= scheme_.u()[k] / dt_;
-      sum += mass * (0.5 * speed * speed + plate_.g * height);
-      if (x > 0.0) sum += 0.5 * chain_.force.elastic(chain_.K[k], x) / (dt_ * dt_);
-    }
-    return sum;
+    std::vector<double> u(scheme_.u(), scheme_.u() + contacts());
+    for (double& each : u) each /= dt_;
+    return energy_on_plate(column_, plate_, 0.0, {scheme_.x(), contacts()}, u);
   }
 
   const Column<double>& column_;
@@ -114,19 +108,6 @@ class PlateRun {
   Outcome<double> outcome_;
 };
 
-template <class Chain, class Watcher>
-Outcome<double> run(const Column<double>& column, const Plate& plate, Integrator integrator, double steps,
-                    Watcher& watcher, Patience* patience) {
-  const DenormalsAreZero guard;
-  switch (integrator) {
-    case Integrator::gear5: return PlateRun<Chain, Gear5, Watcher>(column, plate, steps, watcher)(patience);
-    case Integrator::verlet: return PlateRun<Chain, Verlet, Watcher>(column, plate, steps, watcher)(patience);
-    case Integrator::rk4: return PlateRun<Chain, RungeKutta4, Watcher>(column, plate, steps, watcher)(patience);
-    case Integrator::exact: break;
-  }
-  throw std::invalid_argument("follow_by_fixed_steps: not an integrator of fixed step");
-}
-
 }  // namespace
 
 template <class Watcher>
@@ -134,7 +115,9 @@ Outcome<double> follow_by_fixed_steps(const Column<double>& column, const Plate&
                                       double dt, Watcher& watcher, Patience* patience) {
   const double steps = std::ceil(plate.period() / dt);
   return with_law(column, [&]<class Force, bool Uneven>() {
-    return run<Chain<Force, Uneven, Plate>>(column, plate, integrator, steps, watcher, patience);
+    return with_scheme(integrator, [&]<template <class> class Scheme>() {
+      return PlateRun<Chain<Force, Uneven, Plate>, Scheme, Watcher>(column, plate, steps, watcher)(patience);
+    });
   });
 }
 
