@@ -138,7 +138,7 @@ std::string panel_script(const Panel& panel, std::size_t number, std::span<const
   const bool empty = std::ranges::none_of(t.z, [](double z) { return std::isfinite(z); });
   out += empty ? "set yrange [0:1]\n" : "set yrange [*:*]\n";  // gnuplot refuses an axis without a number
   std::string plots;
-  if (panel.row.parameters.geometry == Geometry::vibrated_column) {
+  if (is_vibrated(panel.row.parameters)) {
     out += fmt::format("$plate{} << end_of_line\n", number) +
            line_data(plate_line(panel.row.parameters, time, height), width, range);
     plots = fmt::format("plot $plate{} using 1:2 with lines linewidth 3 linecolor '#909090' notitle", number);

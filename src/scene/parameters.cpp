@@ -87,14 +87,14 @@ void give_pair(Parameters& p) {
 /// by.
 void give_gap(Parameters& p, Gap given) {
   const double unit_length = p.v0 * p.tc;
-  if (given == Gap::s0 || p.geometry == Geometry::vibrated_column)
+  if (given == Gap::s0 || is_vibrated(p))
     p.sigma = p.s0 == 0.0 ? 0.0 : p.s0 / unit_length;
   else
     p.s0 = p.sigma * unit_length;
 }
 
 void give_plate(Parameters& p) {
-  if (p.geometry != Geometry::vibrated_column) return;
+  if (!is_vibrated(p)) return;
   const double omega = 2.0 * std::numbers::pi * p.frequency, unit = p.gravity / (omega * omega);
   if (!(p.A0 > 0.0))
     p.A0 = p.alpha * unit;
@@ -137,7 +137,7 @@ std::string why_invalid(const Parameters& p) {
   if (p.steps_per_tc != 0.0 && !within(p.steps_per_tc, 2.0, 1e6))
     return refuse("steps_per_tc", p.steps_per_tc, "from 2 to 1e6");
   if (!within(p.tolerance, 1e-15, 0.1)) return refuse("tolerance", p.tolerance, "from 1e-15 to 0.1");
-  if (p.geometry == Geometry::vibrated_column) return why_plate_invalid(p);
+  if (is_vibrated(p)) return why_plate_invalid(p);
   return {};
 }
 

@@ -1,6 +1,7 @@
 #include "sigmasweep/solve/simulate.hpp"
 
 #include "sigmasweep/scene/law.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/solve/exact.hpp"
 #include "sigmasweep/solve/fixed_step.hpp"
 #include "sigmasweep/solve/hard_spheres.hpp"
@@ -18,7 +19,7 @@ Collision without_result(Status status) {
 }
 
 Collision simulated(const Parameters& parameters, Patience* patience) {
-  if (parameters.geometry == Geometry::vibrated_column) return simulate_vibrated(parameters, patience);
+  if (is_vibrated(parameters)) return simulate_vibrated(parameters, patience);
   if (parameters.method == Method::ed) return simulate_hard_spheres(parameters, patience);
   if (parameters.integrator != Integrator::exact) return simulate_fixed_step(parameters, patience);
   return exponents(parameters).linear() ? simulate_exact(parameters, patience)

@@ -32,7 +32,7 @@ void fall(const Column<double>& column, double t, std::span<double> x, std::span
 }
 
 Units units_of(const Parameters& p, const Column<double>& column) {
-  if (p.geometry == Geometry::vibrated_column) return {vibration_units(p).time, vibration_units(p).length, 0.0};
+  if (is_vibrated(p)) return {vibration_units(p).time, vibration_units(p).length, 0.0};
   if (p.method == Method::ed) {
     if (p.s0 > 0.0) return {p.s0 / p.v0, p.s0, 0.0};
     return {p.tc, p.v0 * p.tc, 0.0};
@@ -48,7 +48,7 @@ void watch_vibrated(const Parameters& p, Samples& samples) {
 }
 
 void watch(const Parameters& p, const Column<double>& column, Samples& samples) {
-  if (p.geometry == Geometry::vibrated_column) return watch_vibrated(p, samples);
+  if (is_vibrated(p)) return watch_vibrated(p, samples);
   if (p.method == Method::ed) return watch_hard_spheres(column, p.ed_rule, samples);
   if (p.integrator != Integrator::exact) return watch_fixed_step(column, p.integrator, 1.0 / steps_taken(p), samples);
   const double start = -column.initial_gap(0) / column.speed;
@@ -80,7 +80,7 @@ Trajectory record(const Parameters& p, std::span<const double> times) {
   Samples samples(std::move(reduced), column.contacts());
   watch(p, column, samples);
 
-  const bool vibrates = p.geometry == Geometry::vibrated_column;
+  const bool vibrates = is_vibrated(p);
   Trajectory trajectory;
   trajectory.time.assign(times.begin(), times.end());
   for (std::size_t s = 0; s < times.size(); ++s) {
@@ -109,7 +109,7 @@ void watch_nonlinear(const Column<double>& column, Samples& samples) {
 
 double show_time(const Parameters& p, const Collision& collision) {
   constexpr double shown_periods = 10.0;
-  if (p.geometry == Geometry::vibrated_column)
+  if (is_vibrated(p))
     return std::isnan(collision.vibration.h_cm) ? collision.vibration.h_cm : shown_periods / p.frequency;
   const double first_contact = reduced_column<double>(p).initial_gap(0) * p.tc;  // sigma tc = s0/v0
   const double last_contact = first_contact + collision.t_k;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "sigmasweep/scene/law.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -71,7 +72,7 @@ double vibrated_time(const Parameters& p, double N) {
 
 double predicted_time(const Parameters& p) {
   const double N = static_cast<double>(p.N);
-  if (p.geometry == Geometry::vibrated_column) return cost.start + vibrated_time(p, N);
+  if (is_vibrated(p)) return cost.start + vibrated_time(p, N);
   const double sigma = p.sigma < 1e12 ? p.sigma : 1e12;  // no inf/inf, no NaN; nothing changes up there
   if (p.method == Method::ed) {
     const double rule = p.ed_rule == EdRule::tc ? cost.tc_rule : 1.0;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/sweep/usage.hpp"
 
 namespace sigmasweep::spec {
@@ -25,8 +26,6 @@ const Setting* first_of(const Way& way, const std::vector<Setting>& settings) {
   refuse(sweep, fmt::format("'{}' is missing: {} and tc and epsilon (or instead of these K_over_m and D_n, or a "
                             "material) are needed", name, needed));
 }
-
-bool is_vibrated(const Parameters& kind) { return kind.geometry == Geometry::vibrated_column; }
 
 /// Hard spheres have no contact time: the default only gives sigma its unit.
 bool needs_tc(const Parameters& kind) { return kind.method == Method::md || kind.ed_rule == EdRule::tc; }

@@ -11,6 +11,7 @@
 #include <xxhash.h>
 
 #include "sigmasweep/errors.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/sweep/usage.hpp"
 #include "spec_guard.hpp"
 #include "spec_tables.hpp"
@@ -32,8 +33,6 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
     throw SpecError(spec::place(file, error.source().begin.line) + std::string(error.description()));
   }
 }
-
-bool is_vibrated(const Parameters& kind) { return kind.geometry == Geometry::vibrated_column; }
 
 bool is_fixed(const Field& field, const std::vector<Parameters>& kinds) {
   return std::ranges::any_of(kinds, [&](const Parameters& kind) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sigmasweep/scene/law.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -17,7 +18,6 @@ bool has_own_stiffness(const Parameters& p) { return p.K_over_m > 0.0 || p.mater
 /// Hard spheres know only epsilon: the law counts where epsilon follows from it.
 bool has_law(const Parameters& p) { return is_soft(p) || has_own_stiffness(p); }
 
-bool is_vibrated(const Parameters& p) { return p.geometry == Geometry::vibrated_column; }
 bool is_linear(const Parameters& p) { return exponents(p).linear(); }
 
 struct Rule {

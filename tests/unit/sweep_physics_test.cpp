@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sigmasweep/errors.hpp"
 #include "sigmasweep/sweep/usage.hpp"
+#include "support/spec_refusal.hpp"
 
 // Laws, materials, random columns and rules of hard spheres in a spec: what may be given, and what a tuple then is.
 
@@ -19,14 +19,7 @@ namespace {
 
 Sweep sweep(const std::string& body) { return Sweep::parse("[sweep]\n" + body, "test.toml"); }
 
-std::string refusal(const std::string& body) {
-  try {
-    sweep(body);
-  } catch (const SpecError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
+std::string refusal(const std::string& body) { return refusal_of("[sweep]\n" + body, "test.toml"); }
 
 /// v0, N and s0 on lines 2 to 4, then `more`.
 const std::string basis = "v0 = 0.05\nN = 3\ns0 = 1e-6\n";
@@ -34,10 +27,6 @@ Sweep with(const std::string& more) { return sweep(basis + more); }
 std::string wrong(const std::string& more) { return refusal(basis + more); }
 /// With tc and epsilon too, on lines 5 and 6.
 const std::string contact = "tc = 1e-5\nepsilon = 0.9\n";
-
-void expect_part(const std::string& message, const std::string& part) {
-  EXPECT_NE(message.find(part), std::string::npos) << message << "\n  lacks: " << part;
-}
 
 void expect_same(const Parameters& a, const Parameters& b) { EXPECT_EQ(content_key(a), content_key(b)); }
 

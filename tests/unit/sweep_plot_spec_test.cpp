@@ -8,6 +8,7 @@
 #include "sigmasweep/sweep/formula.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "sigmasweep/sweep/where.hpp"
+#include "support/spec_refusal.hpp"
 
 /// [plot] and [[plot]] of a spec, and the formulas in them.
 using namespace sigmasweep;
@@ -15,18 +16,12 @@ using namespace sigmasweep;
 namespace {
 
 /// `plots` begin on line 7.
-Sweep with(const std::string& plots) {
-  return Sweep::parse("[sweep]\nv0 = 1.0\ntc = 1e-4\nN = 10\nepsilon = 0.9\nsigma = 1\n" + plots, "plot.toml");
+std::string spec(const std::string& plots) {
+  return "[sweep]\nv0 = 1.0\ntc = 1e-4\nN = 10\nepsilon = 0.9\nsigma = 1\n" + plots;
 }
+Sweep with(const std::string& plots) { return Sweep::parse(spec(plots), "plot.toml"); }
 
-std::string refusal(const std::string& plots) {
-  try {
-    with(plots);
-  } catch (const SpecError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
+std::string refusal(const std::string& plots) { return refusal_of(spec(plots), "plot.toml"); }
 
 Row sample_row() {
   Row row;

@@ -5,20 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "sigmasweep/errors.hpp"
+#include "support/spec_refusal.hpp"
 
 using namespace sigmasweep;
 
 namespace {
 
-std::string refusal(const std::string& text) {
-  try {
-    Sweep::parse(text, "bad.toml");
-  } catch (const SpecError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
+std::string refusal(const std::string& text) { return refusal_of(text, "bad.toml"); }
 
 /// [sweep] on line 1, complete but for the gap, `more` from line 2 on.
 std::string with(const std::string& more) {
@@ -30,10 +23,6 @@ std::string alone(const std::string& more) { return with("sigma = 1\n" + more); 
 /// A complete sweep with `more`, another table, from line 7 on.
 std::string table(const std::string& more) {
   return refusal("[sweep]\nv0 = 1.0\ntc = 1e-4\nN = 10\nepsilon = 0.9\nsigma = 1\n" + more);
-}
-
-void expect_part(const std::string& message, const std::string& part) {
-  EXPECT_NE(message.find(part), std::string::npos) << message << "\n  lacks: " << part;
 }
 
 }  // namespace

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sigmasweep/errors.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "sigmasweep/sweep/usage.hpp"
+#include "support/spec_refusal.hpp"
 
 /// Specs with geometry = "vibrated-column".
 using namespace sigmasweep;
@@ -21,19 +21,8 @@ std::string spec(const std::string& more, const std::string& geometry = "\"vibra
 }
 Sweep with(const std::string& more) { return Sweep::parse(spec(more), "vib.toml"); }
 
-std::string refusal(const std::string& text) {
-  try {
-    Sweep::parse(text, "vib.toml");
-  } catch (const SpecError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
+std::string refusal(const std::string& text) { return refusal_of(text, "vib.toml"); }
 std::string wrong(const std::string& more) { return refusal(spec(more)); }
-
-void expect_part(const std::string& message, const std::string& part) {
-  EXPECT_NE(message.find(part), std::string::npos) << message << "\n  lacks: " << part;
-}
 
 std::vector<std::string> columns(const Sweep& sweep) {
   std::vector<std::string> names;

@@ -4,6 +4,8 @@
 
 namespace sigmasweep {
 
+constexpr bool is_vibrated(const Parameters& p) { return p.geometry == Geometry::vibrated_column; }
+
 /// A step of complete(), for vibrated columns: alpha = A0 (2 pi f)^2/g and A0, the missing one from the other. Where
 /// both are there and differ A0 counts. What is complete already stays as it is, to the bit.
 void give_plate(Parameters& parameters);
