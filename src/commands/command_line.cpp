@@ -200,12 +200,13 @@ void add_one(CLI::App& app, Invocation& invocation) {
   command->footer(
       "\nGive v0, N, s0 or sigma, and tc and epsilon, or K-over-m and D-n, or a material; the rest has defaults\n"
       "(method md, law hooke, integrator exact, wall paper). Vibrated columns need alpha or A0, but neither v0 nor a\n"
-      "gap.\n\n"
+      "gap. A lattice needs rows (13 columns are the default) instead of N.\n\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --s0 1e-6 --N 10 --epsilon 0.9\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --steps-per-tc 500\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --tolerance 1e-4\n"
       "  sigmasweep one --v0 1 --s0 0 --N 1 --law hertz --material steel\n"
-      "  sigmasweep one --geometry vibrated-column --alpha 4 --frequency 20 --tc 1e-4 --N 10 --epsilon 0.92");
+      "  sigmasweep one --geometry vibrated-column --alpha 4 --frequency 20 --tc 1e-4 --N 10 --epsilon 0.92\n"
+      "  sigmasweep one --geometry lattice --rows 10 --v0 0.05 --tc 2e-5 --s0 1e-7 --epsilon 0.9");
   command->callback([&invocation, options] { invocation.command = [options] { return one(*options); }; });
 }
 

@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
 #include "sigmasweep/errors.hpp"
+#include "sigmasweep/report/plot_lattice.hpp"
 #include "sigmasweep/report/plot_trajectories.hpp"
+#include "sigmasweep/report/plot_velocity_field.hpp"
 #include "sigmasweep/report/row_choice.hpp"
 #include "sigmasweep/solve/trajectory.hpp"
 #include "sigmasweep/store/h5md.hpp"
@@ -44,9 +48,15 @@ void plot_films(const StoredSweep& stored, const PlotSpec& spec, const std::stri
   std::vector<Panel> panels;
   for (const Row& row : rows)
     panels.push_back({row, read(trajectory_file(table, row.index), row, sweep.trajectory()->samples)});
+  const std::string title = spec.title.empty() ? sweep.title() : spec.title;
+  const auto planes = std::ranges::count_if(panels, &Trajectory::is_plane, &Panel::trajectory);
+  if (planes == std::ssize(panels))
+    return (spec.by_phase ? plot_velocity_fields : plot_lattices)(panels, sweep.axes(), title, file);
+  if (planes > 0)
+    throw UsageError("plot: trajectories of columns and of lattices find no place on one picture: choose with 'where' "
+                     "in [plot]");
   const std::uint64_t columns = sweep.axes().empty() ? 1 : sweep.axis_sizes().back();
-  plot_trajectories(panels, columns, sweep.axes(), spec.title.empty() ? sweep.title() : spec.title, file,
-                    spec.by_phase);
+  plot_trajectories(panels, columns, sweep.axes(), title, file, spec.by_phase);
 }
 
 }  // namespace sigmasweep

@@ -69,7 +69,7 @@ std::string repeat_command(const Row& row) {
     if (field.name == (from_s0 ? "sigma" : "s0") || field.name == (from_alpha ? "A0" : "alpha")) continue;
     if (!is_used(field, row.parameters)) continue;
     static constexpr auto always =
-        std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "epsilon", "beta", "gamma"});
+        std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "rows", "epsilon", "beta", "gamma"});
     const bool needed = std::find(always.begin(), always.end(), field.name) != always.end();
     const bool chooses = field.name == "tolerance" && row.parameters.steps_per_tc == 0.0;  // the step, by being given
     if (!needed && !chooses && number(field, row) == number(field, defaults)) continue;

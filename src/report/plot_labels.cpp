@@ -140,4 +140,12 @@ std::string value_label(const Field& field, const Row& row) {
   return label;
 }
 
+std::string panel_title(std::size_t number, const Row& row, std::span<const std::string> differ) {
+  std::string words;
+  for (const std::string& name : differ)
+    if (const Field* field = find_field(name))
+      words += (words.empty() ? "" : ", ") + value_label(*field, row);
+  return fmt::format("({}) {}", static_cast<char>('a' + number), words);
+}
+
 }  // namespace sigmasweep::plot

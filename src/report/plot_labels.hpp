@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "sigmasweep/sweep/fields.hpp"
 
@@ -18,6 +21,9 @@ std::string expression_label(std::string_view expression);
 
 /// For the key: "v_0 = 14 m/s".
 std::string value_label(const Field& field, const Row& row);
+
+/// For one of several panels: "(a) MD, s_0 = 0 m", `differ` the fields to name.
+std::string panel_title(std::size_t number, const Row& row, std::span<const std::string> differ);
 
 /// A number as people write it: 2.5x10^{-6}.
 std::string pretty(double value);

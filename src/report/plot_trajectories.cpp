@@ -68,15 +68,6 @@ std::string bead_label(const Trajectory& t, std::size_t bead, Prefix height) {
                      colour(bead, t.beads()));
 }
 
-/// "(a) MD, s_0 = 0 m"
-std::string panel_title(std::size_t number, const Row& row, std::span<const std::string> differ) {
-  std::string words;
-  for (const std::string& name : differ)
-    if (const Field* field = find_field(name))
-      words += (words.empty() ? "" : ", ") + value_label(*field, row);
-  return fmt::format("({}) {}", static_cast<char>('a' + number), words);
-}
-
 /// What is drawn to the right: time, or of vibrated columns the number of periods, or its fraction.
 struct TimeAxis {
   std::string label;

@@ -17,6 +17,9 @@ namespace sigmasweep {
 namespace {
 
 constexpr double sigma_change = 1e-3;
+/// Predictions are good to an order of magnitude: only settings predicted to take this many times `longest` are left
+/// out without a try of one tuple.
+constexpr double too_long = 20.0;
 
 /// One integrator at one setting, with what is known of it so far.
 struct Setting {
@@ -113,14 +116,22 @@ class Errors {
   std::vector<double> error_, velocity_;
 };
 
+void leave_out(Setting& setting) {
+  setting.row.tuples = setting.row.failures = 0;
+  setting.tuples.clear();
+  setting.columns.clear();
+}
+
 void measure_errors(Setting& setting, const std::vector<Parameters>& tuples, const References& references,
                     const PrecisionSpec& spec) {
   PrecisionRow& row = setting.row;
   Errors errors;
   double evaluations = 0.0;
   // Without a gap only the phase of the steps is left to change.
-  const std::size_t count = tuples.size() == 1 && !setting.is_exact() ? spec.tuples : tuples.size();
+  const bool only_phases = tuples.size() == 1 && !setting.is_exact() && references.usable(0);
+  const std::size_t count = only_phases ? spec.tuples : references.answers.size();
   for (std::size_t k = 0; k < count && (k == 0 || setting.errors_took < spec.seconds); ++k) {
+    if (k == 1 && setting.errors_took > spec.longest) return leave_out(setting);
     const std::size_t which = std::min(k, tuples.size() - 1);
     Parameters p = row.parameters;
     p.sigma = tuples[which].sigma;
@@ -195,7 +206,7 @@ std::vector<PrecisionRow> measure_precision(const Parameters& scene, std::uint64
     row.chaotic = references.chaotic;
     row.noise = references.noise;
     row.independent = references.independent;
-    if (predicted_alone(row.parameters) <= spec.longest) measure_errors(setting, tuples, references, spec);
+    if (predicted_alone(row.parameters) <= too_long * spec.longest) measure_errors(setting, tuples, references, spec);
   }
   measure_times(settings, spec);
   std::vector<PrecisionRow> rows;
@@ -208,8 +219,8 @@ double predicted_precision_time(const Parameters& scene, const PrecisionSpec& sp
   for (const Setting& setting : settings_of(scene, 0, spec)) {
     const double tuple = predicted_alone(setting.row.parameters);
     const double all = tuple * static_cast<double>(spec.tuples), repeats = all * static_cast<double>(spec.repeats);
-    if (tuple > spec.longest) continue;
-    seconds += std::max(tuple, std::min(all, spec.seconds));
+    if (tuple > too_long * spec.longest) continue;
+    seconds += std::min(tuple > spec.longest ? tuple : all, spec.seconds);
     if (all <= spec.repeat_seconds) seconds += std::min(repeats, 2.0 * spec.repeat_seconds);
   }
   return seconds;

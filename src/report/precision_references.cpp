@@ -62,30 +62,32 @@ Pair references_for(const Parameters& p) {
 
 }  // namespace
 
+/// Among tuples that are chaotic only checked ones can be compared; where none of the first few is, none will be.
+bool References::worth_going_on(std::uint64_t most_checks) const {
+  constexpr std::uint64_t few = 3;
+  return chaotic == 0 || (checks < most_checks && (chaotic < checks || checks < few));
+}
+
 References find_references(const std::vector<Parameters>& tuples, const PrecisionSpec& spec) {
   const Pair pair = references_for(tuples.front());
   References found;
   found.independent = pair.independent;
   const double start = thread_seconds();
-  for (std::size_t k = 0; k < tuples.size(); ++k) {
+  for (std::size_t k = 0; k < tuples.size() && found.worth_going_on(spec.checks); ++k) {
     if (k > 0 && thread_seconds() - start > spec.seconds) break;
-    found.answers.push_back(pair.all(tuples[k]));
-    found.agreed.push_back(false);
-  }
-  const double half_time = thread_seconds();
-  for (std::size_t k = 0; k < std::min<std::size_t>(spec.checks, found.answers.size()); ++k) {
-    if (k > 0 && thread_seconds() - half_time > spec.seconds) break;
-    Answer other = pair.check(tuples[k]);
-    Answer& answer = found.answers[k];
-    ++found.checks;
-    const auto difference = static_cast<double>(std::fabs(other.eps_eff - answer.eps_eff));
-    if (other.known && answer.known && difference <= chaos) {
-      found.agreed[k] = true;
-      if (!(found.noise >= difference)) found.noise = difference;
-      if (pair.check_is_better) answer = std::move(other);
-    } else {
-      ++found.chaotic;
+    Answer answer = pair.all(tuples[k]);
+    bool agree = false;
+    if (k < spec.checks) {
+      Answer other = pair.check(tuples[k]);
+      ++found.checks;
+      const auto difference = static_cast<double>(std::fabs(other.eps_eff - answer.eps_eff));
+      agree = other.known && answer.known && difference <= chaos;
+      if (!agree) ++found.chaotic;
+      else if (!(found.noise >= difference)) found.noise = difference;
+      if (agree && pair.check_is_better) answer = std::move(other);
     }
+    found.answers.push_back(std::move(answer));
+    found.agreed.push_back(agree);
   }
   return found;
 }

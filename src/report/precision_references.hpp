@@ -22,6 +22,8 @@ struct References {
   bool independent = false;
   /// Whether tuple k can be compared with its answer.
   bool usable(std::size_t k) const { return k < answers.size() && answers[k].known && (chaotic == 0 || agreed[k]); }
+  /// Whether more of them would be of use, of which the first `most_checks` have both.
+  bool worth_going_on(std::uint64_t most_checks) const;
 };
 
 References find_references(const std::vector<Parameters>& tuples, const PrecisionSpec& spec);

@@ -11,18 +11,26 @@
 #include "sigmasweep/report/progress.hpp"
 #include "sigmasweep/scene/law.hpp"
 #include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 
 namespace sigmasweep {
 namespace {
 
 constexpr double same_sigma = 1e-12;  // a few hundred roundings: s0/(v0 tc) of decimal inputs differs by a few
 
+/// Of a lattice, where the beads' size in the unit of length v0 tc counts, too. Rounded, as sigma may be.
+auto lattice_kind(const Parameters& p) {
+  if (!is_lattice(p)) return std::tuple(std::int64_t{0}, std::int64_t{0}, SideWalls{}, 0.0f, 0.0f);
+  return std::tuple(p.rows, p.columns, p.side_walls, static_cast<float>(p.d / (p.v0 * p.tc)),
+                    static_cast<float>(p.D_t * p.tc));
+}
+
 /// What must be equal, beside sigma, for two rows to be the same point.
 auto kind(const Parameters& p) {
   const double accuracy = p.integrator == Integrator::exact || p.steps_per_tc == 0.0 ? p.tolerance : p.steps_per_tc;
   const auto [beta, gamma] = exponents(p);
   return std::tuple(p.N, p.epsilon, p.method, p.wall, p.integrator, accuracy, beta, gamma, p.ed_rule, p.width / p.d,
-                    p.random_separation, p.seed);
+                    p.random_separation, p.seed, p.geometry, lattice_kind(p));
 }
 
 bool same_point(const Parameters& a, const Parameters& b) {

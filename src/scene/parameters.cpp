@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,8 +26,6 @@ bool not_negative(double value) { return std::isfinite(value) && value >= 0.0; }
 bool within(double value, double low, double high) { return value >= low && value <= high; }  // false for NaN
 
 std::string why_plate_invalid(const Parameters& p) {
-  if (p.method == Method::md && p.integrator != Integrator::exact && !(p.steps_per_tc > 0.0))
-    return refuse("steps_per_tc", p.steps_per_tc, "given, > 0, for geometry = 'vibrated-column'");
   if (!positive(p.gravity)) return refuse("gravity", p.gravity, "a finite acceleration > 0 m/s^2");
   if (!positive(p.frequency)) return refuse("frequency", p.frequency, "finite and > 0 Hz");
   if (!positive(p.alpha) || p.alpha > max_alpha)
@@ -37,6 +36,20 @@ std::string why_plate_invalid(const Parameters& p) {
   if (p.transient < 0 || p.transient >= p.periods)
     return fmt::format("transient = {} is not allowed: it must be a whole number from 0 to periods - 1 = {}.",
                        p.transient, p.periods - 1);
+  return {};
+}
+
+std::string why_lattice_invalid(const Parameters& p) {
+  for (const auto& [name, value] : {std::pair("rows", p.rows), std::pair("columns", p.columns)})
+    if (value < 1 || value > max_beads)
+      return fmt::format("{} = {} is not allowed: it must be a whole number from 1 to {}.", name, value, max_beads);
+  if (p.rows * p.columns > max_beads)
+    return fmt::format("rows = {}, columns = {} are not allowed: {} beads are the most.", p.rows, p.columns, max_beads);
+  if (p.N != p.rows * p.columns)
+    return fmt::format("N = {} is not allowed: a lattice has rows times columns = {}.", p.N, p.rows * p.columns);
+  if (p.method == Method::ed)
+    return "method = 'ed' is not allowed for a lattice: hard spheres are for columns.";
+  if (!not_negative(p.D_t)) return refuse("D_t", p.D_t, "finite and >= 0 1/s");
   return {};
 }
 
@@ -107,7 +120,12 @@ double plate_speed(const Parameters& p, double t) {
   return p.A0 * 2.0 * std::numbers::pi * p.frequency * std::cos(phase(p, t));
 }
 
+void give_beads(Parameters& p) {
+  if (is_lattice(p)) p.N = p.rows * p.columns;
+}
+
 Parameters complete(Parameters parameters, Gap given) {
+  give_beads(parameters);
   give_material(parameters);
   give_pair(parameters);
   give_gap(parameters, given);
@@ -132,8 +150,13 @@ std::string why_invalid(const Parameters& p) {
   if (!positive(p.d)) return refuse("d", p.d, "a finite length > 0 m");
   if (!within(p.width, 0.0, 1.99 * p.d)) return refuse("width", p.width, "from 0 to 1.99 d");
   if (p.seed < 0) return fmt::format("seed = {} is not allowed: it must be >= 0.", p.seed);
+  if (is_lattice(p))
+    if (const std::string why = why_lattice_invalid(p); !why.empty()) return why;
   if (p.N < 1 || p.N > max_beads)
     return fmt::format("N = {} is not allowed: it must be a whole number from 1 to {}.", p.N, max_beads);
+  if ((is_lattice(p) || is_vibrated(p)) && p.method == Method::md && p.integrator != Integrator::exact &&
+      !(p.steps_per_tc > 0.0))
+    return refuse("steps_per_tc", p.steps_per_tc, "given, > 0, for lattices and for what vibrates");
   if (p.steps_per_tc != 0.0 && !within(p.steps_per_tc, 2.0, 1e6))
     return refuse("steps_per_tc", p.steps_per_tc, "from 2 to 1e6");
   if (!within(p.tolerance, 1e-15, 0.1)) return refuse("tolerance", p.tolerance, "from 1e-15 to 0.1");

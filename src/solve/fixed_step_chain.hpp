@@ -70,17 +70,19 @@ struct ChainCoupling<true> {
 template <class Force, bool Uneven, class Ground = FixedWall>
 struct Chain {
   static constexpr bool driven = Ground::moves;
+  static constexpr bool one_by_one = true;  ///< a contact's force is its own affair
 
   Chain(const Column<double>& column, double dt, const Ground& ground = {})
       : contacts(column.contacts()), blocks(Lanes::padded(contacts) / Lanes::width),
         force(column.exponents), coupling(column), K(contacts), C(contacts),
-        x(contacts, -std::numeric_limits<double>::max()), u(contacts), dt_(dt), ground_(ground) {
+        x(contacts, -std::numeric_limits<double>::max()), u(contacts), speed(column.speed * dt), dt_(dt),
+        ground_(ground) {
     for (std::size_t k = 0; k < contacts; ++k) {
       K[k] = column.spring(k) * dt * dt;
       C[k] = column.dashpot(k) * dt;
       x[k] = -column.initial_gap(k);
     }
-    if constexpr (!driven) u[0] = column.speed * dt;
+    if constexpr (!driven) u[0] = speed;
     if constexpr (driven && Uneven) coupling.below[0] = 1.0;  // for drive()
   }
 
@@ -113,12 +115,21 @@ struct Chain {
     return a;
   }
 
+  /// F_k for overlap x and rate u.
+  auto contact() const {
+    return [law = force, spring = K.data(), dashpot = C.data()](std::size_t k, double overlap, double rate) {
+      return where_closed(law, spring[k], dashpot[k], overlap, rate);
+    };
+  }
+
   std::size_t contacts, blocks;
+  std::size_t components() const { return contacts; }  // of x and u
   std::size_t lanes() const { return blocks * Lanes::width; }  // whole vectors, and the compiler sees it
   Force force;
   ChainCoupling<Uneven> coupling;
   Lanes K, C;
   Lanes x, u;  ///< at the start
+  double speed;
 
  private:
   double dt_, now_ = 0.0;

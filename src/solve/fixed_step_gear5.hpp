@@ -18,12 +18,12 @@ template <class Chain>
 class Gear5 {
  public:
   explicit Gear5(const Chain& chain)
-      : chain_(chain), r_{chain.x,               chain.u,               Lanes(chain.contacts),
-                          Lanes(chain.contacts), Lanes(chain.contacts), Lanes(chain.contacts)},
-        F_(chain.contacts) {
+      : chain_(chain), r_{chain.x,               chain.u,               Lanes(chain.components()),
+                          Lanes(chain.components()), Lanes(chain.components()), Lanes(chain.components())},
+        F_(chain.components()) {
     if constexpr (Chain::driven) {
       const Lanes a = chain.first_acceleration();
-      for (std::size_t k = 0; k < chain.contacts; ++k) r_[2][k] = 0.5 * a[k];
+      for (std::size_t k = 0; k < chain.components(); ++k) r_[2][k] = 0.5 * a[k];
     }
   }
 
@@ -39,9 +39,7 @@ class Gear5 {
     double* r4 = r_[4].data();
     double* r5 = r_[5].data();
     double* F = F_.data();
-    const auto force = chain_.force;
-    const double* K = chain_.K.data();
-    const double* C = chain_.C.data();
+    [[maybe_unused]] const auto contact = chain_.contact();
     const auto coupling = chain_.coupling.view();
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {  // Pascal's triangle
@@ -51,8 +49,9 @@ class Gear5 {
       r2[k] += 3.0 * a3 + 6.0 * a4 + 10.0 * a5;
       r3[k] += 4.0 * a4 + 10.0 * a5;
       r4[k] += 5.0 * a5;
-      F[k] = where_closed(force, K[k], C[k], r0[k], r1[k]);
+      if constexpr (Chain::one_by_one) F[k] = contact(k, r0[k], r1[k]);
     }
+    if constexpr (!Chain::one_by_one) chain_.forces(r0, r1, F);
     chain_.drive(F, 1.0);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < lanes; ++k) {
@@ -70,11 +69,11 @@ class Gear5 {
   bool coasts() const {
     double memory = 0.0;
     for (std::size_t n = 2; n < 6; ++n)
-      for (std::size_t k = 0; k < chain_.contacts; ++k) memory = std::fmax(memory, std::fabs(r_[n][k]));
-    return memory <= 1e-18 * chain_.u[0];  // below the rounding of the rates; u[0] is the speed
+      for (std::size_t k = 0; k < chain_.components(); ++k) memory = std::fmax(memory, std::fabs(r_[n][k]));
+    return memory <= 1e-18 * chain_.speed;  // below the rounding of the rates
   }
   void coast(double steps) {
-    for (std::size_t k = 0; k < chain_.contacts; ++k) {
+    for (std::size_t k = 0; k < chain_.components(); ++k) {
       r_[0][k] += steps * r_[1][k];
       r_[2][k] = r_[3][k] = r_[4][k] = r_[5][k] = 0.0;
     }

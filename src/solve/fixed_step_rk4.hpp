@@ -12,8 +12,8 @@ template <class Chain>
 class RungeKutta4 {
  public:
   explicit RungeKutta4(const Chain& chain)
-      : chain_(chain), x_(chain.x), u_(chain.u), xs_(chain.x), us_(chain.contacts), F_(chain.contacts),
-        a_{Lanes(chain.contacts), Lanes(chain.contacts), Lanes(chain.contacts)} {}
+      : chain_(chain), x_(chain.x), u_(chain.u), xs_(chain.x), us_(chain.components()), F_(chain.components()),
+        a_{Lanes(chain.components()), Lanes(chain.components()), Lanes(chain.components())} {}
 
   const double* x() const { return x_.data(); }
   const double* u() const { return u_.data(); }
@@ -66,7 +66,7 @@ class RungeKutta4 {
   /// Whether the next steps are uniform motion while no contact closes.
   bool coasts() const { return true; }
   void coast(double steps) {
-    for (std::size_t k = 0; k < chain_.contacts; ++k) x_[k] += steps * u_[k];
+    for (std::size_t k = 0; k < chain_.components(); ++k) x_[k] += steps * u_[k];
   }
   void touch(std::size_t k) { x_[k] = 0.0; }
 

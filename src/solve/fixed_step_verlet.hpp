@@ -12,7 +12,7 @@ template <class Chain>
 class Verlet {
  public:
   explicit Verlet(const Chain& chain)
-      : chain_(chain), x_(chain.x), u_(chain.u), a_(chain.contacts), predicted_(chain.contacts), F_(chain.contacts) {
+      : chain_(chain), x_(chain.x), u_(chain.u), a_(chain.components()), predicted_(chain.components()), F_(chain.components()) {
     if constexpr (Chain::driven) a_ = chain.first_acceleration();
   }
 
@@ -45,7 +45,7 @@ class Verlet {
   /// Whether the next steps are uniform motion while no contact closes.
   bool coasts() const { return true; }  // a was computed at x: no contact closed, no acceleration left
   void coast(double steps) {
-    for (std::size_t k = 0; k < chain_.contacts; ++k) x_[k] += steps * u_[k];
+    for (std::size_t k = 0; k < chain_.components(); ++k) x_[k] += steps * u_[k];
   }
   void touch(std::size_t k) { x_[k] = 0.0; }
 

@@ -9,15 +9,14 @@
 
 namespace sigmasweep {
 
-/// What an outcome in reduced units means for the tuple (masses as in Column), but for eps_eff_error; where there is no
-/// result every number is NaN.
-template <class Real>
-Collision in_si(const Outcome<Real>& outcome, const Parameters& parameters, std::span<const Real> mass = {}) {
+/// What an outcome in reduced units, with the energies that its velocities mean, is for the tuple, but for
+/// eps_eff_error; where there is no result every number is NaN. AnyOutcome: of a column or a lattice.
+template <class AnyOutcome, class Real>
+Collision in_si_with(const Energies<Real>& e, const AnyOutcome& outcome, const Parameters& parameters) {
   Collision c;
   c.end = outcome.end;
   c.status = outcome.status;
   if (!is_success(outcome.status) && outcome.status != Status::tolerance_missed) return c;
-  const Energies<Real> e = energies<Real>(std::span<const Real>(outcome.velocity), Real(1), mass);
   c.eps_eff = static_cast<double>(e.eps_eff);
   c.Er_Ef = static_cast<double>(e.Er_Ef);
   c.Er_E0 = static_cast<double>(e.Er_E0);
@@ -32,6 +31,12 @@ Collision in_si(const Outcome<Real>& outcome, const Parameters& parameters, std:
       return nothing;
     }
   return c;
+}
+
+/// The same of a column; masses as in Column.
+template <class Real>
+Collision in_si(const Outcome<Real>& outcome, const Parameters& parameters, std::span<const Real> mass = {}) {
+  return in_si_with(energies<Real>(std::span<const Real>(outcome.velocity), Real(1), mass), outcome, parameters);
 }
 
 /// The collision with its error; a result that misses the tolerance is tolerance_missed.

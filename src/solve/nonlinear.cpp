@@ -1,11 +1,12 @@
 #include "sigmasweep/solve/nonlinear.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
+#include <type_traits>
 
 #include "in_si.hpp"
 #include "nonlinear_column.hpp"
+#include "twin_runs.hpp"
 
 namespace sigmasweep {
 
@@ -23,13 +24,7 @@ double eps_eff(const Column<Real>& column, const Outcome<Real>& outcome) {
   return double(energies<Real>(outcome.velocity, column.speed, column.mass).eps_eff);
 }
 
-/// Largest seen of (error - `doubt` times the difference of the runs)/(local accuracy), for random tuples with N to 20.
-constexpr double amplification = 100.0;
-/// How much the difference between the runs may be too small by chance.
-constexpr double doubt = 4.0;
-/// Local accuracies that the types can make good, and the work (contacts in trial steps) of about a second in the wide
-/// one.
-constexpr double finest_double = 1e-15, finest_long_double = 1e-19;
+/// Of a wide type: the work (contacts in trial steps) of about a second.
 constexpr std::uint64_t long_double_limit = 150'000;
 
 /// The collision with local errors of `accuracy`, its error from a second run with ten times as much.
@@ -45,39 +40,21 @@ Collision pair_of_runs(const Parameters& p, const NonlinearOptions& options) {
   const double difference =
       other.status == Status::ok ? std::fabs(eps_eff(column, other) - eps_eff(column, outcome)) : 1.0;
   const double settled = outcome.end == End::settled ? options.settle : 0.0;
-  c.eps_eff_error = doubt * difference + amplification * options.accuracy + settled +
-                    std::numeric_limits<double>::epsilon() * c.eps_eff;
+  c.eps_eff_error = twin_error(c, difference, options.accuracy, settled);
   return c;
 }
 
 }  // namespace
 
 Collision simulate_nonlinear(const Parameters& p, Patience* patience) {
-  NonlinearOptions options;
-  options.patience = patience;
-  options.settle = 1e-3 * p.tolerance;
-  options.accuracy = std::max(1e-3 * p.tolerance, finest_double);
-  Collision c = pair_of_runs<double>(p, options);
-  if (c.status != Status::ok || c.eps_eff_error <= p.tolerance) return c;
-
-  // What the error grew to from the local accuracy says how fine that must be.
-  const auto wanted = [&] { return 0.2 * options.accuracy * p.tolerance / c.eps_eff_error; };
-  const auto is_better = [&](const Collision& finer) {
-    if (finer.status == Status::ok && finer.eps_eff_error < c.eps_eff_error) c = finer;
-    return c.eps_eff_error <= p.tolerance;
-  };
-  if (wanted() >= finest_double) {
-    options.accuracy = wanted();
-    if (is_better(pair_of_runs<double>(p, options))) return c;
-  }
-  if (wanted() >= finest_long_double) {
-    options.accuracy = wanted();
-    options.work_limit = long_double_limit;
-    if (is_better(pair_of_runs<long double>(p, options))) return c;
-  }
-  c.eps_eff_error = std::min(1.0, c.eps_eff_error);
-  c.status = Status::tolerance_missed;
-  return c;
+  return to_tolerance(p.tolerance, [&]<class Real>(double accuracy) {
+    NonlinearOptions options;
+    options.patience = patience;
+    options.settle = 1e-3 * p.tolerance;
+    options.accuracy = accuracy;
+    if (!std::is_same_v<Real, double>) options.work_limit = long_double_limit;
+    return pair_of_runs<Real>(p, options);
+  });
 }
 
 }  // namespace sigmasweep

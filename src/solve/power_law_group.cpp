@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "first_root.hpp"
+#include "hermite.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -280,19 +281,12 @@ Real PowerLawGroup<Real, Ground>::second_slope(const State& y, const State& dy, 
   return dy[n_ + i] * dt + y[n_ + i] * (curl - dt * dy[n_ + leader_] / u);
 }
 
-/// The polynomial of degree five in the fraction of the step with the overlap, slope and curvature of both ends.
+/// The overlap in the fraction of the step.
 template <class Real, class Ground>
-auto PowerLawGroup<Real, Ground>::hermite(std::size_t i) const -> Quintic {
-  const Real h = span_;
-  const Real x0 = start_[i], v0 = h * start_slope_[i], a0 = h * h * second_slope(start_, start_slope_, from_, i);
-  const Real x1 = end_[i], v1 = h * end_slope_[i], a1 = h * h * second_slope(end_, end_slope_, from_ + h, i);
-  const Real d = x1 - x0;
-  return {x0,
-          v0,
-          a0 / 2,
-          10 * d - 6 * v0 - 4 * v1 - (3 * a0 - a1) / 2,
-          -15 * d + 8 * v0 + 7 * v1 + (3 * a0 - 2 * a1) / 2,
-          6 * d - 3 * (v0 + v1) - (a0 - a1) / 2};
+std::array<Real, 6> PowerLawGroup<Real, Ground>::hermite(std::size_t i) const {
+  const Motion<Real> from{start_[i], start_slope_[i], second_slope(start_, start_slope_, from_, i)};
+  const Motion<Real> to{end_[i], end_slope_[i], second_slope(end_, end_slope_, from_ + span_, i)};
+  return Quintic<Real>(from, to, span_).c;
 }
 
 /// The first contact, but for one, that changes its state within the step, by the steps' own polynomials: with what the
@@ -302,7 +296,7 @@ auto PowerLawGroup<Real, Ground>::first_crossing(std::size_t but) const -> std::
   std::optional<Crossing> first;
   for (std::size_t i = 0; i < n_; ++i) {
     if (i == but || i == leader_) continue;
-    Quintic distance = hermite(i);
+    std::array<Real, 6> distance = hermite(i);
     const Real goal = target(i), sign = closed_[i] ? Real(1) : Real(-1);
     distance[0] -= goal;
     for (Real& c : distance) c *= sign;

@@ -60,7 +60,6 @@ class PowerLawGroup {
     std::size_t contact;
     Real fraction;  ///< of the step
   };
-  using Quintic = std::array<Real, 6>;
 
   void slopes(const State& y, State& dy, const Real& at);
   Real trial(const Real& span);
@@ -73,7 +72,7 @@ class PowerLawGroup {
   void end_at(std::optional<Crossing> crossing);
   bool leader_reverses() const;
   Real second_slope(const State& y, const State& dy, const Real& at, std::size_t i) const;
-  Quintic hermite(std::size_t i) const;
+  std::array<Real, 6> hermite(std::size_t i) const;
   Real maximum(std::size_t i);
   std::optional<Crossing> first_crossing(std::size_t but) const;
   bool locate(std::size_t i, const Real& fraction);

@@ -5,6 +5,7 @@
 #include "sigmasweep/solve/exact.hpp"
 #include "sigmasweep/solve/fixed_step.hpp"
 #include "sigmasweep/solve/hard_spheres.hpp"
+#include "sigmasweep/solve/lattice.hpp"
 #include "sigmasweep/solve/nonlinear.hpp"
 #include "sigmasweep/solve/vibrated.hpp"
 
@@ -19,6 +20,7 @@ Collision without_result(Status status) {
 }
 
 Collision simulated(const Parameters& parameters, Patience* patience) {
+  if (parameters.geometry == Geometry::lattice) return simulate_lattice(parameters, patience);
   if (is_vibrated(parameters)) return simulate_vibrated(parameters, patience);
   if (parameters.method == Method::ed) return simulate_hard_spheres(parameters, patience);
   if (parameters.integrator != Integrator::exact) return simulate_fixed_step(parameters, patience);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "exact_column.hpp"
+#include "lattice_trajectory.hpp"
 #include "nonlinear_column.hpp"
 #include "plate.hpp"
 #include "samples.hpp"
@@ -67,12 +68,14 @@ void add_up(std::span<const double> of_contacts, double unit, double plate, std:
 }  // namespace
 
 double Trajectory::base(std::size_t bead) const {
+  if (is_plane()) return 0.0;
   double below = 0.0;
   for (std::size_t i = 0; i < bead; ++i) below += diameter[i];
   return below + 0.5 * diameter[bead];
 }
 
 Trajectory record(const Parameters& p, std::span<const double> times) {
+  if (is_lattice(p)) return record_lattice(p, times);
   const Column<double> column = reduced_column<double>(p);
   const Units units = units_of(p, column);
   std::vector<double> reduced;
@@ -111,8 +114,11 @@ double show_time(const Parameters& p, const Collision& collision) {
   constexpr double shown_periods = 10.0;
   if (is_vibrated(p))
     return std::isnan(collision.vibration.h_cm) ? collision.vibration.h_cm : shown_periods / p.frequency;
-  const double first_contact = reduced_column<double>(p).initial_gap(0) * p.tc;  // sigma tc = s0/v0
+  // sigma tc = s0/v0
+  const double first_contact = is_lattice(p) ? p.sigma * p.tc : reduced_column<double>(p).initial_gap(0) * p.tc;
   const double last_contact = first_contact + collision.t_k;
+  if (is_lattice(p) && !std::isnan(last_contact))
+    return std::min(1.5 * last_contact, first_contact + 3.0 * static_cast<double>(p.rows) * p.tc * (1.0 + p.sigma));
   if (last_contact > 0.0 || std::isnan(last_contact)) return 1.5 * last_contact;
   return 1.5 * static_cast<double>(p.N) * p.tc;
 }

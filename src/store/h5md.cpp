@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cerrno>
@@ -97,11 +98,21 @@ class Elements {
   Handle first_;
 };
 
+/// As many values of x as of z, in turns; of a column, which has no x, those of z.
+std::vector<double> in_turns(std::span<const double> x, std::span<const double> z) {
+  std::vector<double> both;
+  for (std::size_t k = 0; k < z.size(); ++k) {
+    if (!x.empty()) both.push_back(x[k]);
+    both.push_back(z[k]);
+  }
+  return both;
+}
+
 std::vector<double> positions(const Trajectory& t) {
   std::vector<double> h = t.z;
   for (std::size_t i = 0; i < t.beads(); ++i)
     for (std::size_t s = 0; s < t.samples(); ++s) h[s * t.beads() + i] += t.base(i);
-  return h;
+  return in_turns(t.x, h);
 }
 
 /// sum m_i v_i^2 over sum m_i unit^2.
@@ -110,15 +121,16 @@ std::vector<double> kinetic_energies(const Trajectory& t, double unit) {
   std::vector<double> energies(t.samples());
   for (std::size_t s = 0; s < t.samples(); ++s)
     for (std::size_t i = 0; i < t.beads(); ++i) {
-      const double v = t.velocity[s * t.beads() + i] / unit;
-      energies[s] += t.mass[i] * v * v / all;
+      const std::size_t k = s * t.beads() + i;
+      const double v = t.velocity[k] / unit, u = t.is_plane() ? t.x_velocity[k] / unit : 0.0;
+      energies[s] += t.mass[i] * (v * v + u * u) / all;
     }
   return energies;
 }
 
-/// A flying column's energy over that at the start; a vibrated one's in SI units, over its mass, and its plate.
+/// What flies has its energy over that at the start; what vibrates in SI units, over its mass, and its plate.
 void put_observables(hid_t group, const Parameters& p, const Trajectory& trajectory, Elements& elements) {
-  if (p.geometry == Geometry::column) {
+  if (!is_vibrated(p)) {
     elements.put(group, "kinetic_energy", kinetic_energies(trajectory, p.v0), {}, "");
     return;
   }
@@ -128,25 +140,60 @@ void put_observables(hid_t group, const Parameters& p, const Trajectory& traject
   elements.put(group, "plate_height", plate, {}, "m");
 }
 
+/// A lattice's box is as high as its beads come: there is nothing above them, but H5MD has edges in all directions or
+/// none.
+void put_box(hid_t beads, const Trajectory& t) {
+  const Handle box = new_group(beads, "box");
+  std::vector<std::string> boundary{"none"};
+  if (t.is_plane()) {
+    boundary.insert(boundary.begin(), t.periodic ? "periodic" : "none");
+    double height = 0.0;
+    for (std::size_t k = 0; k < t.z.size(); ++k)
+      if (std::isfinite(t.z[k])) height = std::max(height, t.z[k] + 0.5 * t.diameter[k % t.beads()]);
+    put_array(box, "edges", std::vector<double>{t.box_width, height}, {2}, "m");
+  }
+  put_whole(box, "dimension", static_cast<std::int64_t>(boundary.size()));
+  put_texts(box, "boundary", boundary);
+}
+
 std::vector<std::byte> image_of(const Tuple& tuple, const Trajectory& trajectory) {
   const Handle file = new_file();
   put_metadata(file);
   Elements elements(trajectory);
   {
     const Handle beads = new_group(new_group(file, "particles"), "beads");
-    const Handle box = new_group(beads, "box");
-    put_whole(box, "dimension", 1);
-    put_texts(box, "boundary", "none");
-    const hsize_t N = trajectory.beads();
-    elements.put(beads, "position", positions(trajectory), {N, 1}, "m");
-    elements.put(beads, "velocity", trajectory.velocity, {N, 1}, "m s-1");
-    elements.put(beads, "reduced_height", trajectory.z, {N, 1}, "m");
+    put_box(beads, trajectory);
+    const hsize_t N = trajectory.beads(), dimension = trajectory.is_plane() ? 2 : 1;
+    elements.put(beads, "position", positions(trajectory), {N, dimension}, "m");
+    elements.put(beads, "velocity", in_turns(trajectory.x_velocity, trajectory.velocity), {N, dimension}, "m s-1");
+    if (!trajectory.is_plane()) elements.put(beads, "reduced_height", trajectory.z, {N, 1}, "m");
     put_array(beads, "mass", trajectory.mass, {N}, "");
     put_array(beads, "diameter", trajectory.diameter, {N}, "m");
   }
   put_observables(new_group(file, "observables"), tuple.parameters, trajectory, elements);
   put_parameters(file, tuple, trajectory);
   return h5md::image_of(file);
+}
+
+/// What in_turns() joined, of two dimensions.
+void part(std::span<const double> both, std::vector<double>& x, std::vector<double>& z) {
+  for (std::size_t k = 0; k + 1 < both.size(); k += 2) {
+    x.push_back(both[k]);
+    z.push_back(both[k + 1]);
+  }
+}
+
+void read_plane(hid_t beads, Trajectory& t, std::vector<hsize_t> extents) {
+  extents.back() = 2;
+  part(get_array(beads, "position/value", extents), t.x, t.z);
+  part(get_array(beads, "velocity/value", extents), t.x_velocity, t.velocity);
+  std::vector<hsize_t> directions{2};
+  t.box_width = get_array(beads, "box/edges", directions)[0];
+  if (!(t.box_width > 0.0 && std::isfinite(t.box_width))) throw IoError("its box has no width");
+  const Handle box(H5Gopen2(beads, "box", H5P_DEFAULT), H5Gclose, "it has no box");
+  const std::vector<std::string> boundary = get_texts(box, "boundary");
+  if (boundary.size() != 2) throw IoError("its box has not two dimensions");
+  t.periodic = boundary[0] == "periodic";
 }
 
 }  // namespace
@@ -172,10 +219,14 @@ Trajectory read_h5md(const std::string& path) {
     const Handle beads(H5Gopen2(file, "particles/beads", H5P_DEFAULT), H5Gclose, "it has no group particles/beads");
     Trajectory trajectory;
     std::vector<hsize_t> samples{0}, N{0};
-    trajectory.time = get_array(beads, "reduced_height/time", samples);
+    trajectory.time = get_array(beads, "position/time", samples);
     trajectory.mass = get_array(beads, "mass", N);
     trajectory.diameter = get_array(beads, "diameter", N);
     std::vector<hsize_t> extents{samples[0], N[0], 1};
+    if (check(H5Lexists(beads, "reduced_height", H5P_DEFAULT), "cannot look for reduced_height") == 0) {
+      read_plane(beads, trajectory, extents);
+      return trajectory;
+    }
     trajectory.z = get_array(beads, "reduced_height/value", extents);
     trajectory.velocity = get_array(beads, "velocity/value", extents);
     return trajectory;

@@ -23,10 +23,10 @@ Handle list(hsize_t length) {
 }
 
 /// Text of fixed length, as H5MD 1.1 wants it; ASCII where that will do.
-Handle text_type(const std::string& text) {
+Handle text_type(const std::string& text, std::size_t length) {
   const char* const what = "cannot make a text type";
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, what);
-  check(H5Tset_size(type, std::max<std::size_t>(text.size(), 1)), what);
+  check(H5Tset_size(type, std::max<std::size_t>(length, 1)), what);
   check(H5Tset_strpad(type, H5T_STR_NULLPAD), what);
   const bool ascii = std::ranges::all_of(text, [](unsigned char c) { return c < 0x80; });
   check(H5Tset_cset(type, ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8), what);
@@ -75,11 +75,14 @@ Handle new_group(hid_t parent, const std::string& name) {
 }
 
 void put_text(hid_t object, const std::string& name, const std::string& text) {
-  put_attribute(object, name, text_type(text), scalar(), text.c_str());
+  put_attribute(object, name, text_type(text, text.size()), scalar(), text.c_str());
 }
 
-void put_texts(hid_t object, const std::string& name, const std::string& text) {
-  put_attribute(object, name, text_type(text), list(1), text.c_str());
+void put_texts(hid_t object, const std::string& name, std::span<const std::string> texts) {
+  const std::size_t length = std::ranges::max(texts, {}, &std::string::size).size();
+  std::string all;
+  for (const std::string& text : texts) all += text + std::string(length - text.size(), '\0');
+  put_attribute(object, name, text_type(all, length), list(texts.size()), all.c_str());
 }
 
 void put_real(hid_t object, const std::string& name, double value) {
@@ -95,15 +98,30 @@ void put_version(hid_t object, int major, int minor) {
   put_attribute(object, "version", H5T_NATIVE_INT, list(2), version);
 }
 
-std::string get_text(hid_t object, const std::string& name) {
+std::vector<std::string> get_texts(hid_t object, const std::string& name) {
   const std::string what = "cannot read attribute " + name;
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, what);
   const Handle type(H5Aget_type(attribute), H5Tclose, what), space(H5Aget_space(attribute), H5Sclose, what);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 || H5Sget_simple_extent_npoints(space) != 1)
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)
     throw IoError("attribute " + name + " is not a text of fixed length");
-  std::string text(H5Tget_size(type), '\0');
-  check(H5Aread(attribute, type, text.data()), what);
-  return text.substr(0, text.find('\0'));
+  const auto count = static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space), what));
+  const std::size_t length = H5Tget_size(type);
+  // That attributes are small HDF5 sees to: at most 64 KiB in such a file.
+  if (count * length > std::size_t{1} << 16) throw IoError("attribute " + name + " is too long");
+  std::string all(count * length, '\0');
+  check(H5Aread(attribute, type, all.data()), what);
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::string text = all.substr(k * length, length);
+    texts.push_back(text.substr(0, text.find('\0')));
+  }
+  return texts;
+}
+
+std::string get_text(hid_t object, const std::string& name) {
+  const std::vector<std::string> texts = get_texts(object, name);
+  if (texts.size() != 1) throw IoError("attribute " + name + " is not one text");
+  return texts.front();
 }
 
 void put_array(hid_t group, const std::string& name, std::span<const double> values, std::vector<hsize_t> extents,

@@ -37,6 +37,19 @@ struct Step {
 };
 constexpr std::array<Step, 4> steps{{{0.0, 0.0}, {20e-9, 5e-9}, {20e-9, 2e-9}, {50e-9, 8e-9}}};
 
+/// A lattice: what is in contact is moved by steps, in all directions; what flies costs nothing but with fixed steps.
+/// Guesses so far.
+struct LatticeCoefficients {
+  double bead = 5e-6;        ///< exact: a step of a bead in contact
+  double wave = 60.0;        ///< exact: such steps, each bead, in the wave through the touching lattice
+  double later = 40.0;       ///< exact: the same in later contacts, for sigma of 1 and above
+  double fixed_bead = 40e-9; ///< fixed step: a bead, each evaluation of the forces
+  double wave_row = 3.0;     ///< fixed step: duration of the wave in tc, each row
+  double least = 30.0;       ///< fixed step: duration in tc, beside wave and the quiet time at the end, 2 N sigma
+};
+constexpr LatticeCoefficients lattice;
+constexpr std::array<double, 4> evaluations{0.0, 1.0, 1.0, 4.0};  ///< of the forces a step, in the order of Integrator
+
 /// Contacts apart from the wave: for sigma above 1 all N^2 of hard spheres (N(N+1)/2 without losses); for sigma << 1
 /// the beads fly apart after the wave and hardly meet again.
 double later_contacts(double N, double sigma) { return N * N * sigma * sigma / (0.3 + sigma * sigma); }
@@ -68,12 +81,23 @@ double vibrated_time(const Parameters& p, double N) {
   return 3.0 * (step.step + step.bead * N) * p.steps_per_tc * periods / (p.frequency * p.tc);
 }
 
+/// A vibrated lattice rests on its plate most of the time: a step of each bead a contact time.
+double lattice_time(const Parameters& p, double N, double sigma) {
+  const double vibrated = static_cast<double>(p.periods) / (p.frequency * p.tc);  // in tc
+  if (p.integrator == Integrator::exact)
+    return lattice.bead * N * (is_vibrated(p) ? vibrated : lattice.wave + lattice.later * std::min(sigma, 1.0));
+  const double flown = lattice.wave_row * static_cast<double>(p.rows) + 2.0 * N * sigma + lattice.least;
+  const double step = lattice.fixed_bead * N * evaluations[static_cast<std::size_t>(p.integrator)];
+  return step * steps_of(p) * (is_vibrated(p) ? vibrated : flown);
+}
+
 }  // namespace
 
 double predicted_time(const Parameters& p) {
   const double N = static_cast<double>(p.N);
-  if (is_vibrated(p)) return cost.start + vibrated_time(p, N);
   const double sigma = p.sigma < 1e12 ? p.sigma : 1e12;  // no inf/inf, no NaN; nothing changes up there
+  if (is_lattice(p)) return cost.start + lattice_time(p, N, sigma);
+  if (is_vibrated(p)) return cost.start + vibrated_time(p, N);
   if (p.method == Method::ed) {
     const double rule = p.ed_rule == EdRule::tc ? cost.tc_rule : 1.0;
     return cost.start + rule * N * N * (cost.hard_collision + cost.hard_collision_bead * N);

@@ -28,6 +28,7 @@ template <class T> constexpr FieldType type_of() {
   else if constexpr (std::is_same_v<T, Material>) return FieldType::material;
   else if constexpr (std::is_same_v<T, EdRule>) return FieldType::ed_rule;
   else if constexpr (std::is_same_v<T, Flag>) return FieldType::flag;
+  else if constexpr (std::is_same_v<T, SideWalls>) return FieldType::side_walls;
   else if constexpr (std::is_same_v<T, End>) return FieldType::end;
   else if constexpr (std::is_same_v<T, Status>) return FieldType::status;
 }
@@ -42,10 +43,14 @@ constexpr std::array parameters{
     SIGMASWEEP_FIELD(parameters, tc, "s", "contact time of a pair of beads, Eq. (6); nonlinear: at v0, Eq. (A2)"),
     SIGMASWEEP_FIELD(parameters, s0, "m", "initial gap between neighbours and to the wall or plate"),
     SIGMASWEEP_FIELD(parameters, sigma, "1", "s0/(v0 tc), time between contacts over contact time"),
-    SIGMASWEEP_FIELD(parameters, N, "1", "number of beads"),
+    SIGMASWEEP_FIELD(parameters, N, "1", "number of beads; of a lattice rows times columns"),
     SIGMASWEEP_FIELD(parameters, epsilon, "1", "restitution of a pair of beads, Eq. (7); nonlinear: at v0"),
     SIGMASWEEP_FIELD(parameters, method, "1", "md: soft spheres; ed: hard spheres, event-driven"),
-    SIGMASWEEP_FIELD(parameters, geometry, "1", "column: flies into a wall; vibrated-column: on a plate"),
+    SIGMASWEEP_FIELD(parameters, geometry, "1", "column, lattice: flies into a wall; vibrated-: on a plate"),
+    SIGMASWEEP_FIELD(parameters, rows, "1", "lattice: its height, in rows of beads"),
+    SIGMASWEEP_FIELD(parameters, columns, "1", "lattice: beads in a row"),
+    SIGMASWEEP_FIELD(parameters, D_t, "1/s", "lattice: tangential dashpot over twice the reduced mass, Eq. (4)"),
+    SIGMASWEEP_FIELD(parameters, side_walls, "1", "lattice: periodic, none; fixed, on both sides, like the bottom"),
     SIGMASWEEP_FIELD(parameters, wall, "1", "paper: same spring and dashpot as a pair; matched: same tc and epsilon"),
     SIGMASWEEP_FIELD(parameters, law, "1", "of the contact force, F = K x^(1+beta) + D x^gamma x'"),
     SIGMASWEEP_FIELD(parameters, beta, "1", "power law: exponent of the spring"),
@@ -67,7 +72,7 @@ constexpr std::array parameters{
     SIGMASWEEP_FIELD(parameters, frequency, "Hz", "vibrated: f of the plate A0 sin(2 pi f t), Eq. (1)"),
     SIGMASWEEP_FIELD(parameters, alpha, "1", "vibrated: A0 (2 pi f)^2/g, plate's acceleration over gravity"),
     SIGMASWEEP_FIELD(parameters, A0, "m", "vibrated: amplitude of the plate"),
-    SIGMASWEEP_FIELD(parameters, periods, "1", "vibrated: of the plate, how long the column is followed"),
+    SIGMASWEEP_FIELD(parameters, periods, "1", "vibrated: of the plate, how long the beads are followed"),
     SIGMASWEEP_FIELD(parameters, transient, "1", "vibrated: of these, the first ones, which no average takes in"),
 };
 
@@ -156,6 +161,7 @@ std::span<const std::string_view> enumerators(FieldType type) {
     case FieldType::material: return names_of<Material>();
     case FieldType::ed_rule: return names_of<EdRule>();
     case FieldType::flag: return names_of<Flag>();
+    case FieldType::side_walls: return names_of<SideWalls>();
     case FieldType::end: return names_of<End>();
     case FieldType::status: return names_of<Status>();
     default: return {};

@@ -32,6 +32,7 @@ Product::Product(const Parameters& base, Gap gap, std::vector<Group> groups)
 Parameters Product::at(std::uint64_t index) const {
   assert(index < size_);
   Parameters parameters = values_at(base_, groups_, index);
+  give_beads(parameters);
   contacts_->give(parameters);
   give_gap(parameters, gap_);
   give_plate(parameters);

@@ -31,11 +31,15 @@ void require_allowed(const Entry& entry, const Field& field, double value) {
   Row row;
   Parameters& others = row.parameters;
   if (field.name == "width") others.d = 1e300;  // what it may be depends on d: see require_diameters()
-  others.geometry = Geometry::vibrated_column;  // which looks at the most; its plate: see require_plate()
+  // Where most is looked at; what its plate may be: see require_plate(), and how many beads: require_lattice().
+  others.geometry = Geometry::vibrated_lattice;
+  others.rows = others.columns = 1;
   others.alpha = others.A0 = 1.0;
   others.periods = 10'000'000;
   others.transient = 0;
   set_number(field, row, value);
+  if (field.name == "N") others.geometry = Geometry::vibrated_column;
+  else give_beads(others);
   const std::string why = why_invalid(row.parameters);
   if (!why.empty()) throw SpecError(fmt::format("{}sweep.{}", place(*entry.file, entry.line), why));
 }

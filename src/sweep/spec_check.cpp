@@ -21,10 +21,12 @@ const Setting* first_of(const Way& way, const std::vector<Setting>& settings) {
   return nullptr;
 }
 
-[[noreturn]] void refuse_missing(const Entry& sweep, std::string_view name, bool vibrated) {
-  const std::string_view needed = vibrated ? "N, one of alpha and A0," : "v0, N, one of s0 and sigma,";
-  refuse(sweep, fmt::format("'{}' is missing: {} and tc and epsilon (or instead of these K_over_m and D_n, or a "
-                            "material) are needed", name, needed));
+[[noreturn]] void refuse_missing(const Entry& sweep, std::string_view name, const std::vector<Parameters>& kinds) {
+  const bool vibrated = std::ranges::all_of(kinds, is_vibrated), any_lattice = std::ranges::any_of(kinds, is_lattice);
+  const std::string_view size = std::ranges::all_of(kinds, is_lattice) ? "rows" : any_lattice ? "N, rows" : "N";
+  refuse(sweep, fmt::format("'{}' is missing: {}{}, one of {}, and tc and epsilon (or instead of these K_over_m and "
+                            "D_n, or a material) are needed", name, vibrated ? "" : "v0, ", size,
+                            vibrated ? "alpha and A0" : "s0 and sigma"));
 }
 
 /// Hard spheres have no contact time: the default only gives sigma its unit.
@@ -78,17 +80,21 @@ void require_one_way(const std::vector<Setting>& settings) {
 void require_complete(const Entry& sweep, const std::vector<Setting>& settings, const std::vector<Parameters>& kinds) {
   const bool all_vibrated = std::ranges::all_of(kinds, is_vibrated);
   const auto require = [&](std::string_view name) {
-    if (!find(settings, name)) refuse_missing(sweep, name, all_vibrated);
+    if (!find(settings, name)) refuse_missing(sweep, name, kinds);
   };
-  const Field& v0 = *find_field("v0");
-  if (std::ranges::any_of(kinds, [&](const Parameters& kind) { return is_used(v0, kind); })) require("v0");
+  const auto require_where_used = [&](std::string_view name) {
+    const Field& field = *find_field(name);
+    if (std::ranges::any_of(kinds, [&](const Parameters& kind) { return is_used(field, kind); })) require(name);
+  };
+  require_where_used("v0");
   if (first_of(by_spring, settings)) {
     require("K_over_m");
   } else if (!first_of(by_material, settings)) {
     if (std::ranges::any_of(kinds, needs_tc)) require("tc");
     require("epsilon");
   }
-  require("N");
+  require_where_used("N");
+  require_where_used("rows");
   require_one_of(sweep, settings, {"s0", "sigma"}, !all_vibrated, "sigma = s0/(v0 tc)");
   require_one_of(sweep, settings, {"alpha", "A0"}, std::ranges::any_of(kinds, is_vibrated),
                  "alpha = A0 (2 pi frequency)^2/gravity");
@@ -97,6 +103,11 @@ void require_complete(const Entry& sweep, const std::vector<Setting>& settings, 
           return is_used(*find_field(name), kind);
         }))
       refuse(find(settings, "law")->entry, fmt::format("'{}' is missing: law = 'power' needs beta and gamma", name));
+}
+
+void require_soft_lattice(const std::vector<Setting>& settings, const Parameters& tuple) {
+  if (is_lattice(tuple) && tuple.method == Method::ed)
+    refuse(find(settings, "method")->entry, "hard spheres, 'ed', are for columns only: a lattice needs method = 'md'");
 }
 
 void require_used(const std::vector<Setting>& settings, const std::vector<Parameters>& kinds) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sigmasweep/errors.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/sweep/formula.hpp"
 #include "sigmasweep/sweep/spelling.hpp"
 #include "sigmasweep/sweep/where.hpp"
@@ -184,8 +185,7 @@ PlotSpec read_plot(const Entry& plot, PlotSpec spec) {
 
 PlotSpec usual_plot(const Grid& grid) {
   PlotSpec spec;
-  if (std::ranges::any_of(grid.kinds, [](const Parameters& kind) { return kind.geometry == Geometry::column; }))
-    return spec;
+  if (!std::ranges::all_of(grid.kinds, is_vibrated)) return spec;
   spec.x = "alpha";
   spec.y = "h_cm_excess";
   spec.x_log = false;

@@ -45,7 +45,7 @@ void require_scenes(const Entry& table, const Sweep& sweep) {
       refuse(table, fmt::format("'{}' is an axis of [sweep], but [precision] has its own", axis));
   for (std::uint64_t scene = 0; scene < sweep.size(); ++scene) {
     if (sweep.at(scene).geometry != Geometry::column)
-      refuse(table, "only geometry = 'column' has an eps_eff to compare integrators by");
+      refuse(table, "integrators are compared by the eps_eff of geometry = 'column' only");
     if (sweep.at(scene).method != Method::md)
       refuse(table, "only soft spheres, method = 'md', have integrators to compare");
   }

@@ -118,7 +118,7 @@ Parameters base_of(const std::vector<Setting>& settings) {
   return row.parameters;
 }
 
-Selection select(const Entry& entry, const Product& product) {
+Selection select(const Entry& entry, const std::vector<Setting>& settings, const Product& product) {
   const std::string expression = as_string(entry);
   try {
     Where where(expression, parameter_fields());
@@ -132,7 +132,9 @@ Selection select(const Entry& entry, const Product& product) {
     Row row;
     for (std::uint64_t i = 0; i < product.size(); ++i) {
       row.parameters = product.at(i);
-      selection.push(where(row));
+      const bool chosen = where(row);
+      if (chosen) require_soft_lattice(settings, row.parameters);
+      selection.push(chosen);
     }
     if (selection.size() == 0) refuse_value(entry, "no tuple satisfies it");
     return selection;
@@ -157,10 +159,13 @@ Grid read_sweep(const Entry& sweep) {
   const Parameters base = base_of(settings);
   auto groups = groups_of(settings, zips);
   const std::vector<Parameters> kinds = kinds_of(base, groups);
+  if (!where)
+    for (const Parameters& kind : kinds) require_soft_lattice(settings, kind);
   require_one_way(settings);
   require_complete(sweep, settings, kinds);
   require_used(settings, kinds);
   require_diameters(settings, zips, base);
+  require_lattice(settings, zips, base);
   require_plate(settings, zips, base);
   require_finite_gap(settings, base);
   require_countable(sweep, groups);
@@ -172,7 +177,7 @@ Grid read_sweep(const Entry& sweep) {
     grid.axes.push_back(setting.field);
     grid.axis_sizes.push_back(setting.axis.size());
   }
-  if (where) grid.selection = select(*where, grid.product);
+  if (where) grid.selection = select(*where, settings, grid.product);
   return grid;
 }
 

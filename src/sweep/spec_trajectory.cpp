@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "sigmasweep/errors.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/sweep/where.hpp"
 #include "spec_tables.hpp"
 
@@ -44,6 +45,8 @@ std::vector<std::uint64_t> chosen_rows(const Entry& table, const Entry* where, c
   for (std::uint64_t k = 0; k < sweep.size(); ++k) {
     row.parameters = sweep.at(k);
     if (condition && !(*condition)(row)) continue;
+    if (row.parameters.geometry == Geometry::vibrated_lattice)
+      refuse(table, "there are no trajectories of geometry = 'vibrated-lattice'");
     if (rows.size() == TrajectorySpec::most_files) too_many(*where, TrajectorySpec::most_files, "too many rows");
     rows.push_back(k);
   }
@@ -53,9 +56,10 @@ std::vector<std::uint64_t> chosen_rows(const Entry& table, const Entry* where, c
 
 void require_room(const Entry& table, const TrajectorySpec& spec, const Sweep& sweep) {
   for (const std::uint64_t row : spec.rows)
-    if (const auto N = static_cast<std::uint64_t>(sweep.at(row).N); N > most_values / spec.samples)
-      refuse(table, fmt::format("{} samples of the {} beads of row {} are too much for a file: at most {} values are "
-                                "allowed", spec.samples, N, row, most_values));
+    if (const Parameters p = sweep.at(row);
+        static_cast<std::uint64_t>(p.N) * (is_lattice(p) ? 2 : 1) > most_values / spec.samples)
+      refuse(table, fmt::format("{} samples of the {} beads of row {} are too much for a file: at most {} coordinates "
+                                "are allowed", spec.samples, p.N, row, most_values));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::array<double, 2> ends(const std::vector<Setting>& settings, std::string_vie
   return {low, high};
 }
 
-/// s0 or sigma, as given; s0 where neither is, as vibrated columns may have it.
+/// s0 or sigma, as given; s0 where neither is, as what vibrates may have it.
 const Field& gap_of(const std::vector<Setting>& settings) {
   return *find_field(find(settings, "sigma") ? "sigma" : "s0");
 }
@@ -107,6 +107,24 @@ void require_diameters(const std::vector<Setting>& settings, const std::vector<Z
     }
   }
   check(width->axis.bounds().second, smallest);
+}
+
+void require_lattice(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base) {
+  const Setting *rows = find(settings, "rows"), *columns = find(settings, "columns");
+  if (!rows) return;
+  const auto check = [&](double high, double wide) {
+    Parameters p;
+    p.geometry = Geometry::lattice;
+    p.rows = static_cast<std::int64_t>(high);
+    p.columns = static_cast<std::int64_t>(wide);
+    give_beads(p);
+    if (const std::string why = why_invalid(p); !why.empty()) refuse((columns ? columns : rows)->entry, why);
+  };
+  if (const Zip* zip = zip_of(zips, "rows"); columns && zip && zip == zip_of(zips, "columns"))
+    for (std::uint64_t k = 0; k < std::min(rows->axis.size(), most_linear_pairs); ++k)
+      check(rows->axis[k], columns->axis[k]);
+  else
+    check(rows->axis.bounds().second, ends(settings, "columns", static_cast<double>(base.columns))[1]);
 }
 
 void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base) {

@@ -11,7 +11,10 @@ namespace sigmasweep::spec {
 /// Diameters are positive: width is not above 1.9 d anywhere.
 void require_diameters(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base);
 
-/// The plate of vibrated columns: alpha and A0 are allowed for all frequencies and gravities that the axes span, and
+/// rows x columns are not too many beads anywhere.
+void require_lattice(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base);
+
+/// The plate of what vibrates: alpha and A0 are allowed for all frequencies and gravities that the axes span, and
 /// the transient ends before the periods do.
 void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base);
 

@@ -21,9 +21,10 @@ namespace {
 
 constexpr std::array<std::string_view, 6> tables{"title", "sweep", "plot", "run", "trajectory", "precision"};
 /// Parameters that are members whether they are axes or not.
-constexpr std::array<std::string_view, 7> of_columns{"v0", "tc", "s0", "sigma", "N", "epsilon", "method"};
-constexpr std::array<std::string_view, 7> of_vibrated_columns{"N", "epsilon", "method", "frequency", "alpha", "A0",
-                                                              "periods"};
+constexpr std::array<std::string_view, 7> of_what_flies{"v0", "tc", "s0", "sigma", "N", "epsilon", "method"};
+constexpr std::array<std::string_view, 7> of_what_vibrates{"N", "epsilon", "method", "frequency", "alpha", "A0",
+                                                           "periods"};
+constexpr std::array<std::string_view, 2> of_lattices{"rows", "columns"};
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
   spec::require_parsable(text, file);
@@ -35,11 +36,13 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
 }
 
 bool is_fixed(const Field& field, const std::vector<Parameters>& kinds) {
-  return std::ranges::any_of(kinds, [&](const Parameters& kind) {
-    std::span<const std::string_view> names = of_columns;
-    if (is_vibrated(kind)) names = of_vibrated_columns;
-    if (field.name == "tc" && (kind.method == Method::md || kind.ed_rule == EdRule::tc)) return true;
+  const auto is_among = [&](std::span<const std::string_view> names) {
     return std::ranges::find(names, field.name) != names.end();
+  };
+  return std::ranges::any_of(kinds, [&](const Parameters& kind) {
+    if (is_lattice(kind) && is_among(of_lattices)) return true;
+    if (field.name == "tc" && (kind.method == Method::md || kind.ed_rule == EdRule::tc)) return true;
+    return is_vibrated(kind) ? is_among(of_what_vibrates) : is_among(of_what_flies);
   });
 }
 
@@ -93,7 +96,9 @@ Sweep Sweep::parse(std::string_view text, const std::string& file) {
     if (one.kind == PlotKind::trajectories && !trajectory)
       spec::refuse(*plot, "kind = 'trajectories' needs a table [trajectory]");
     if (one.by_phase && std::ranges::none_of(grid->kinds, is_vibrated))
-      spec::refuse(*plot, "x = 'phase' needs geometry = 'vibrated-column'");
+      spec::refuse(*plot, "x = 'phase' needs geometry = 'vibrated-column' or 'vibrated-lattice'");
+    if (one.kind == PlotKind::stability && std::ranges::any_of(grid->kinds, is_lattice))
+      spec::refuse(*plot, "kind = 'stability' is for geometry = 'column' only");
   }
 
   std::vector<std::string> axes;

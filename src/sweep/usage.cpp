@@ -27,11 +27,11 @@ struct Rule {
 };
 
 bool by_contact(const Parameters& p) { return !has_own_stiffness(p); }
-/// Hard spheres of the rule lrv have no contact time; flying columns measure their gaps by it, with sigma.
+/// Hard spheres of the rule lrv have no contact time; what flies measures its gaps by it, with sigma.
 bool has_contact_time(const Parameters& p) {
   return by_contact(p) && (!is_vibrated(p) || is_soft(p) || p.ed_rule == EdRule::tc);
 }
-/// Vibrated columns have no speed of their own, but laws that are not linear have tc and epsilon at one.
+/// What vibrates has no speed of its own, but laws that are not linear have tc and epsilon at one.
 bool has_speed(const Parameters& p) { return !is_vibrated(p) || (has_law(p) && !is_linear(p)); }
 bool has_overlaps(const Parameters& p) { return !is_vibrated(p) || is_soft(p); }
 bool by_spring(const Parameters& p) { return p.K_over_m > 0.0 && p.material == Material::none; }
@@ -41,10 +41,12 @@ bool has_exponents(const Parameters& p) { return p.law == Law::power && has_law(
 bool has_fixed_steps(const Parameters& p) { return is_soft(p) && p.integrator != Integrator::exact; }
 bool has_tolerance(const Parameters& p) { return is_soft(p) && !has_given_steps(p); }
 bool is_hard(const Parameters& p) { return p.method == Method::ed; }
+bool has_N(const Parameters& p) { return !is_lattice(p); }
 bool is_random(const Parameters& p) { return p.width > 0.0 || is_shifted(p); }
 
 constexpr auto rules = std::to_array<Rule>({
-    {"v0", has_speed, "geometry = 'column', or a law that is not linear"},
+    {"N", has_N, "geometry = 'column' or 'vibrated-column'; of a lattice N = rows x columns, which are given instead"},
+    {"v0", has_speed, "geometry = 'column' or 'lattice', or a law that is not linear"},
     {"tc", has_contact_time, "stiffness and damping given by tc and epsilon; of vibrated columns method = 'md'"},
     {"epsilon", by_contact, "stiffness and damping given by tc and epsilon"},
     {"K_over_m", by_spring, "stiffness and damping given by K_over_m and D_n"},
@@ -60,19 +62,40 @@ constexpr auto rules = std::to_array<Rule>({
     {"integrator", is_soft, "method = 'md'"},
     {"steps_per_tc", has_given_steps, "integrator = 'gear5', 'verlet' or 'rk4'"},
     {"predicted_growth", has_fixed_steps, "integrator = 'gear5', 'verlet' or 'rk4'"},
-    {"x_max", has_overlaps, "geometry = 'column', or method = 'md'"},
+    {"x_max", has_overlaps, "geometry = 'column' or 'lattice', or method = 'md'"},
     {"tolerance", has_tolerance, "method = 'md', with integrator = 'exact' or without steps_per_tc"},
 });
 
-/// What only one geometry has, beside other rules.
-constexpr auto of_columns = std::to_array<std::string_view>(
-    {"sigma", "tolerance", "eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "predicted_growth"});
-constexpr auto of_vibrated_columns = std::to_array<std::string_view>(
-    {"gravity", "frequency", "alpha", "A0", "periods", "transient", "h_cm", "h_cm_error", "h_cm_excess", "separation",
-     "separation_max", "E_r", "cm_period", "power_in", "power_lost", "imbalance"});
+/// What only some geometries have, beside other rules.
+constexpr auto of_what_flies = std::to_array<std::string_view>(
+    {"sigma", "tolerance", "eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k"});
+constexpr auto of_flying_columns = std::to_array<std::string_view>({"predicted_growth"});
+constexpr auto of_what_vibrates = std::to_array<std::string_view>(
+    {"gravity", "frequency", "alpha", "A0", "periods", "transient", "h_cm", "h_cm_error", "h_cm_excess", "E_r",
+     "cm_period", "power_in", "power_lost", "imbalance"});
+constexpr auto of_vibrated_columns = std::to_array<std::string_view>({"separation", "separation_max"});
+constexpr auto of_lattices = std::to_array<std::string_view>({"rows", "columns", "D_t", "side_walls"});
 
-bool is_among(std::span<const std::string_view> names, const Field& field) {
-  return std::ranges::find(names, field.name) != names.end();
+struct Family {
+  std::span<const std::string_view> fields;
+  bool (*has)(const Parameters&);
+  std::string_view needs;
+};
+
+constexpr auto families = std::to_array<Family>({
+    {of_what_flies, [](const Parameters& p) { return !is_vibrated(p); }, "geometry = 'column' or 'lattice'"},
+    {of_flying_columns, [](const Parameters& p) { return p.geometry == Geometry::column; }, "geometry = 'column'"},
+    {of_what_vibrates, is_vibrated, "geometry = 'vibrated-column' or 'vibrated-lattice'"},
+    {of_vibrated_columns, [](const Parameters& p) { return p.geometry == Geometry::vibrated_column; },
+     "geometry = 'vibrated-column'"},
+    {of_lattices, is_lattice, "geometry = 'lattice' or 'vibrated-lattice'"},
+});
+
+const Family* family_of(const Field& field) {
+  const auto family = std::ranges::find_if(families, [&](const Family& one) {
+    return std::ranges::find(one.fields, field.name) != one.fields.end();
+  });
+  return family == families.end() ? nullptr : &*family;
 }
 
 const Rule* rule_of(const Field& field) {
@@ -83,7 +106,7 @@ const Rule* rule_of(const Field& field) {
 }  // namespace
 
 bool is_used(const Field& field, const Parameters& tuple) {
-  if (is_vibrated(tuple) ? is_among(of_columns, field) : is_among(of_vibrated_columns, field)) return false;
+  if (const Family* family = family_of(field); family && !family->has(tuple)) return false;
   const Rule* rule = rule_of(field);
   return rule == nullptr || rule->is_used(tuple);
 }
@@ -91,10 +114,8 @@ bool is_used(const Field& field, const Parameters& tuple) {
 std::string needed_for(const Field& field) {
   const Rule* rule = rule_of(field);
   std::string needs(rule == nullptr ? std::string_view{} : rule->needs);
-  const std::string_view geometry = is_among(of_columns, field)            ? "geometry = 'column'"
-                                    : is_among(of_vibrated_columns, field) ? "geometry = 'vibrated-column'"
-                                                                           : "";
-  if (!geometry.empty()) needs = std::string(geometry) + (needs.empty() ? "" : ", and ") + needs;
+  if (const Family* family = family_of(field))
+    needs = std::string(family->needs) + (needs.empty() ? "" : ", and ") + needs;
   return needs;
 }
 

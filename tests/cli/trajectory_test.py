@@ -42,14 +42,29 @@ class Films(Sweep):
 ALL = [f"row-{row:06}.h5" for row in range(8)]
 
 
-class H5md(unittest.TestCase):
-    """The rules of H5MD 1.1, then what our files say beyond them."""
+LATTICE = """
+[sweep]
+geometry   = "lattice"
+rows       = 3
+columns    = 2
+side_walls = ["periodic", "fixed"]
+D_t        = 300.0
+epsilon    = 0.9
+v0         = 0.2
+tc         = 7e-6
+s0         = 1e-6
+width      = 1e-4
+random_separation = true
+tolerance  = 1e-6
+[trajectory]
+samples = 101
+[plot]
+kind = "trajectories"
+"""
 
-    @classmethod
-    def setUpClass(cls):
-        cls.sweep = Films(FILMED)
-        ended = cls.sweep.run(0)
-        assert ended.code == 0, ended
+
+class Rules(unittest.TestCase):
+    """Of H5MD 1.1."""
 
     def fixed_text(self, attribute, shape=()):
         """Strings are of fixed length."""
@@ -67,15 +82,28 @@ class H5md(unittest.TestCase):
         self.assertEqual(value.shape, step.shape + shape)
         self.assertEqual(time.attrs["unit"], b"s")
 
+    def metadata(self, file):
+        version = file["h5md"].attrs["version"]
+        self.assertEqual((version.dtype.kind, version.tolist()), ("i", [1, 1]))
+        for group, key in (("author", "name"), ("creator", "name"), ("creator", "version")):
+            self.fixed_text(file["h5md"][group].attrs.get_id(key))
+        self.assertEqual(file["h5md/creator"].attrs["name"], b"sigmasweep")
+        self.assertEqual(file["h5md/modules/units"].attrs["version"].tolist(), [1, 0])
+
+
+class H5md(Rules):
+    """The rules, then what our files say beyond them."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.sweep = Films(FILMED)
+        ended = cls.sweep.run(0)
+        assert ended.code == 0, ended
+
     def test_rules(self):
         for name in ALL:
             with self.subTest(name), h5py.File(self.sweep.path / "table.trajectories" / name) as file:
-                version = file["h5md"].attrs["version"]
-                self.assertEqual((version.dtype.kind, version.tolist()), ("i", [1, 1]))
-                for group, key in (("author", "name"), ("creator", "name"), ("creator", "version")):
-                    self.fixed_text(file["h5md"][group].attrs.get_id(key))
-                self.assertEqual(file["h5md/creator"].attrs["name"], b"sigmasweep")
-                self.assertEqual(file["h5md/modules/units"].attrs["version"].tolist(), [1, 0])
+                self.metadata(file)
                 beads = file["particles/beads"]
                 N = file["parameters"].attrs["N"]
                 dimension = beads["box"].attrs.get_id("dimension")
@@ -135,6 +163,71 @@ class H5md(unittest.TestCase):
         self.assertIn("row-000003.h5", ended.stderr)
         self.assertEqual(self.sweep.run(0).code, 0)
         self.assertEqual(self.sweep.names(), ALL)
+
+
+class H5mdOfLattices(Rules):
+    @classmethod
+    def setUpClass(cls):
+        cls.sweep = Films(LATTICE)
+        ended = cls.sweep.run(0)
+        assert ended.code == 0, ended
+
+    def test_rules_and_physics(self):
+        with h5py.File(self.sweep.table) as table:
+            rows = table["results"][()]
+        for k, row in enumerate(rows):
+            with self.subTest(row=k), h5py.File(self.sweep.file(k)) as file:
+                self.metadata(file)
+                beads, box = file["particles/beads"], file["particles/beads/box"]
+                self.assertEqual(box.attrs["dimension"], 2)
+                self.fixed_text(box.attrs.get_id("boundary"), (2,))
+                self.assertEqual(box.attrs["boundary"].tolist(), [(b"periodic", b"none")[k], b"none"])
+                self.assertEqual((box["edges"].shape, box["edges"].attrs["unit"]), ((2,), b"m"))
+                for name, unit in (("position", b"m"), ("velocity", b"m s-1")):
+                    self.element(beads[name], (6, 2))
+                    self.assertEqual(beads[name]["value"].attrs["unit"], unit)
+                    for shared in ("step", "time"):
+                        self.assertEqual(beads[name][shared], beads["position"][shared])
+                self.assertNotIn("reduced_height", beads)
+                given = file["parameters"].attrs
+                self.assertEqual([given[name] for name in ("rows", "columns", "N", "D_t", "side_walls")],
+                                 [3, 2, 6, 300.0, (b"periodic", b"fixed")[k]])
+                self.physics(file, beads, row, periodic=k == 0)
+
+    def physics(self, file, beads, row, periodic):
+        x, h = numpy.moveaxis(beads["position/value"][()], 2, 0)
+        d, mass, edges = beads["diameter"][()], beads["mass"][()], beads["box/edges"][()]
+        a = 1.05e-3 + 1e-6  # of the largest beads that width allows, and s0
+        self.assertAlmostEqual(edges[0] / (2 * a if periodic else 2.5 * a + 1e-6), 1.0, delta=1e-14)
+        self.assertEqual(edges[1], (h + d / 2).max())
+        numpy.testing.assert_allclose(mass, (d / 1e-3) ** 3, rtol=1e-14)
+        self.assertTrue((h[0] - d / 2 > 0).all() and (h - d / 2 > -1e-5).all())  # the bottom; overlaps are some v0 tc
+        if not periodic:
+            self.assertTrue((x - d / 2 > -1e-5).all() and (x + d / 2 < edges[0] + 1e-5).all())
+        v = beads["velocity/value"][()]
+        numpy.testing.assert_allclose(v[0], [[0.0, -0.2]] * 6, atol=1e-16)
+        energy = file["observables/kinetic_energy/value"][()]
+        numpy.testing.assert_allclose(energy, ((v**2).sum(axis=2) @ mass) / (0.2**2 * mass.sum()), rtol=1e-13)
+        self.assertAlmostEqual(energy[0], 1.0, delta=1e-14)
+        self.assertGreater(energy[-1] ** 0.5, row["eps_eff"] - 1e-6)  # the film may end before the last contact
+
+    def test_plot(self):
+        for form in ("svg", "png", "pdf"):
+            ended = subprocess.run([PROGRAM, "plot", "table.h5", "-o", f"film.{form}"], cwd=self.sweep.path,
+                                   capture_output=True, text=True, timeout=60)
+            self.assertEqual((ended.returncode, ended.stderr), (0, ""), ended)
+        picture = (self.sweep.path / "film.svg").read_text()
+        self.assertIn("first contact", picture)
+        self.assertIn("(b) side", picture)
+
+    def test_not_with_columns_on_one_picture(self):
+        spec = LATTICE.replace('"lattice"', '["lattice", "column"]').replace("columns ", "N = 3\ncolumns ")
+        mixed = Films(spec)
+        self.assertEqual(mixed.run(0).code, 0)
+        self.assertEqual(len(mixed.names()), 4)
+        ended = subprocess.run([PROGRAM, "plot", "table.h5"], cwd=mixed.path, capture_output=True, text=True, timeout=60)
+        self.assertEqual(ended.returncode, 64, ended)
+        self.assertIn("'where'", ended.stderr)
 
 
 class Runs(unittest.TestCase):

@@ -76,6 +76,26 @@ seed = 3
 where = "law == power && random_separation == true || s0 == 0"
 )toml",
     "[sweep]\nv0=1\nN=2\ns0=0\nmaterial=['steel','aluminium']\nlaw=['hertz','hooke']\n",
+    R"toml([sweep]
+geometry = ["lattice", "column", "vibrated-lattice"]
+method = ["md", "ed"]
+rows = { from = 2, to = 20, count = 3, scale = "log" }
+columns = [3, 13, 1000]
+N = [2, 6, 20]
+zip = [["rows", "N"]]
+alpha = 2
+v0 = 1
+tc = 1e-5
+epsilon = 0.9
+s0 = 1e-6
+D_t = 10
+side_walls = ["periodic", "fixed"]
+random_separation = true
+where = "method == md || geometry == column"
+[plot]
+x = "geometry == lattice ? rows : N"
+series = ["geometry", "side_walls"]
+)toml",
     "[sweep]\nmethod = 'ed'\nv0 = 1\nN = 3\nepsilon = 1\n"
     "sigma = { sample = 'uniform', from = 0, to = 1, count = 9 }\n"};
 

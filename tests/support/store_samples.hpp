@@ -72,11 +72,14 @@ inline Row row(std::uint64_t index, std::uint64_t variant = 0) {
   r.index = index;
   Parameters& p = r.parameters;
   for (double* x : {&p.v0, &p.tc, &p.s0, &p.sigma, &p.epsilon, &p.d, &p.steps_per_tc, &p.tolerance, &p.K_over_m, &p.D_n,
-                    &p.beta, &p.gamma, &p.width, &p.gravity, &p.frequency, &p.alpha, &p.A0})
+                    &p.beta, &p.gamma, &p.width, &p.gravity, &p.frequency, &p.alpha, &p.A0, &p.D_t})
     *x = real();
   p.periods = static_cast<std::int64_t>(next() >> 20);
   p.transient = static_cast<std::int64_t>(next() >> 20);
-  p.geometry = static_cast<Geometry>(next() % 2);
+  p.geometry = static_cast<Geometry>(next() % 4);
+  p.rows = static_cast<std::int64_t>(next() >> 20);
+  p.columns = static_cast<std::int64_t>(next() >> 20);
+  p.side_walls = static_cast<SideWalls>(next() % 2);
   p.N = static_cast<std::int64_t>(next() >> 20);
   p.method = static_cast<Method>(next() % 2);
   p.wall = static_cast<Wall>(next() % 2);

@@ -58,6 +58,23 @@ TEST(Universality, OtherPhysicsIsAnotherPoint) {
   }
 }
 
+/// Whose beads' size counts, in the unit of length v0 tc.
+TEST(Universality, OfLatticesNeedsBeadsOfTheSameSize) {
+  std::vector<Row> rows{row(1, 1, 0.5), row(1, 2, 0.6)};
+  for (Row& r : rows) r.parameters.geometry = Geometry::lattice;
+  EXPECT_EQ(universality(rows).groups, 0u);
+  rows[1].parameters.d *= 2.0;
+  EXPECT_EQ(universality(rows).groups, 1u);
+  for (const auto change : std::vector<void (*)(Parameters&)>{
+           [](Parameters& p) { p.rows += 1; }, [](Parameters& p) { p.columns += 1; },
+           [](Parameters& p) { p.side_walls = SideWalls::fixed; }, [](Parameters& p) { p.D_t = 1.0; },
+           [](Parameters& p) { p.geometry = Geometry::column; }}) {
+    std::vector<Row> others = rows;
+    change(others[1].parameters);
+    EXPECT_EQ(universality(others).groups, 0u);
+  }
+}
+
 TEST(Universality, IgnoresRepeatedRowsAndRowsWithoutAResult) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(universality(std::vector{row(1, 1, 0.5), row(1, 1, 0.5)}).groups, 0u);

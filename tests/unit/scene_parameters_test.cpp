@@ -72,6 +72,54 @@ TEST(Complete, AVibratedColumnHasNoSigma) {
   EXPECT_EQ(complete(p, Gap::sigma).sigma, 0.0);
 }
 
+Parameters lattice(std::int64_t rows, std::int64_t columns) {
+  Parameters p;
+  p.geometry = Geometry::lattice;
+  p.rows = rows;
+  p.columns = columns;
+  return complete(p, Gap::s0);
+}
+
+TEST(Complete, CountsTheBeadsOfALattice) {
+  EXPECT_EQ(lattice(10, 13).N, 130);
+  EXPECT_EQ(lattice(1, 1).N, 1);
+  Parameters p = lattice(3, 5);
+  p.geometry = Geometry::vibrated_lattice;
+  p.rows = 7;
+  give_beads(p);
+  EXPECT_EQ(p.N, 35);
+  p.geometry = Geometry::column;
+  p.N = 4;
+  EXPECT_EQ(complete(p, Gap::s0).N, 4);
+}
+
+TEST(WhyInvalid, LooksAtTheSizeOfLatticesOnly) {
+  EXPECT_EQ(why_invalid(lattice(1000, 1000)), "");
+  const auto why = [](auto change) {
+    Parameters p = lattice(10, 13);
+    change(p);
+    const std::string message = why_invalid(p);
+    p.geometry = Geometry::column;
+    EXPECT_EQ(why_invalid(p), "");
+    return message.substr(0, message.find(" is not"));
+  };
+  EXPECT_EQ(why([](Parameters&) {}), "");
+  EXPECT_EQ(why([](Parameters& p) { p.side_walls = SideWalls::fixed; }), "");
+  EXPECT_EQ(why([](Parameters& p) { p.rows = 0; }), "rows = 0");
+  EXPECT_EQ(why([](Parameters& p) { p.columns = -1; }), "columns = -1");
+  EXPECT_EQ(why([](Parameters& p) { p.columns = 1'000'001; }), "columns = 1000001");
+  EXPECT_EQ(why([](Parameters& p) { p.rows = INT64_MAX; }), "rows = 9223372036854775807");
+  EXPECT_EQ(why([](Parameters& p) { p.N = 131; }), "N = 131");
+  EXPECT_EQ(why([](Parameters& p) { p.D_t = -1.0; }), "D_t = -1");
+  EXPECT_EQ(why([](Parameters& p) { p.D_t = nan; }), "D_t = nan");
+  EXPECT_EQ(why([](Parameters& p) { p.D_t = infinity; }), "D_t = inf");
+  EXPECT_EQ(why([](Parameters& p) { p.method = Method::ed; }), "method = 'ed'");
+  Parameters many = lattice(1001, 1000);
+  EXPECT_NE(why_invalid(many).find("1000000 beads are the most"), std::string::npos);
+  many.geometry = Geometry::vibrated_lattice;
+  EXPECT_NE(why_invalid(many).find("1000000 beads are the most"), std::string::npos);
+}
+
 TEST(PlateHeight, IsEquation1AndKeepsThePhase) {
   const Parameters p = vibrated(0.0, 1.24e-3);
   EXPECT_EQ(plate_height(p, 0.0), 0.0);

@@ -41,6 +41,37 @@ TEST(H5md, ComesBackToTheBit) {
   EXPECT_EQ(read.mass, written.mass);
   EXPECT_EQ(read.diameter, written.diameter);
   EXPECT_NE(written.mass[0], written.mass[1]);
+  EXPECT_FALSE(read.is_plane());
+}
+
+TEST(H5md, LatticesComeBackToTheBit) {
+  const Directory directory;
+  for (const SideWalls side_walls : {SideWalls::periodic, SideWalls::fixed}) {
+    Parameters p{.v0 = 0.2, .tc = 1e-5, .s0 = 1e-6, .width = 1e-4};
+    p.geometry = Geometry::lattice;
+    p.rows = 2;
+    p.columns = 3;
+    p.side_walls = side_walls;
+    p.random_separation = Flag::yes;
+    give_beads(p);
+    p = complete(p, Gap::s0);
+    const Trajectory written = record(p, sample_times(1e-4, 21));
+    const std::string path = directory.file("lattice.h5");
+    write_h5md(path, {0, p}, written);
+    EXPECT_TRUE(is_h5md_of(path, p, 21, 1e-4));
+    const Trajectory read = read_h5md(path);
+    EXPECT_EQ(read.time, written.time);
+    EXPECT_EQ(read.x, written.x);
+    EXPECT_EQ(read.z, written.z);
+    EXPECT_EQ(read.x_velocity, written.x_velocity);
+    EXPECT_EQ(read.velocity, written.velocity);
+    EXPECT_EQ(read.mass, written.mass);
+    EXPECT_EQ(read.diameter, written.diameter);
+    EXPECT_EQ(read.box_width, written.box_width);
+    EXPECT_EQ(read.periodic, written.periodic);
+    EXPECT_NE(written.x_velocity[125], 0.0);
+    EXPECT_EQ(read.periodic, side_walls == SideWalls::periodic);
+  }
 }
 
 TEST(H5md, SameBytesAlways) {

@@ -31,10 +31,11 @@ std::string shown(std::string_view name, const Row& row) { return text(*find_fie
 
 TEST(Fields, ListsAreComplete) {
   EXPECT_EQ(names(parameter_fields()),
-            (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "geometry", "wall", "law",
-                                      "beta", "gamma", "K_over_m", "D_n", "material", "integrator", "d", "width",
-                                      "random_separation", "seed", "ed_rule", "steps_per_tc", "tolerance", "gravity",
-                                      "frequency", "alpha", "A0", "periods", "transient"}));
+            (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "geometry", "rows",
+                                      "columns", "D_t", "side_walls", "wall", "law", "beta", "gamma", "K_over_m",
+                                      "D_n", "material", "integrator", "d", "width", "random_separation", "seed",
+                                      "ed_rule", "steps_per_tc", "tolerance", "gravity", "frequency", "alpha",
+                                      "A0", "periods", "transient"}));
   EXPECT_EQ(names(result_fields()),
             (std::vector<std::string>{"eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "x_max",
                                       "predicted_growth", "h_cm", "h_cm_error", "h_cm_excess", "separation",
@@ -74,6 +75,14 @@ TEST(Fields, EachSitsAtItsMember) {
   row.parameters.transient = 7;
   row.collision.vibration.imbalance = 3e-9;
   EXPECT_EQ(shown("geometry", row), "vibrated-column");
+  row.parameters.geometry = Geometry::vibrated_lattice;
+  row.parameters.side_walls = SideWalls::fixed;
+  row.parameters.columns = 17;
+  row.collision.end = End::quiet;
+  EXPECT_EQ(shown("geometry", row), "vibrated-lattice");
+  EXPECT_EQ(shown("side_walls", row), "fixed");
+  EXPECT_EQ(number(*find_field("columns"), row), 17.0);
+  EXPECT_EQ(shown("end", row), "quiet");
   EXPECT_EQ(number(*find_field("transient"), row), 7.0);
   EXPECT_EQ(number(*find_field("imbalance"), row), 3e-9);
 }
@@ -140,6 +149,11 @@ TEST(ContentKey, ChangesWithEveryParameter) {
       [](Parameters& p) { p.ed_rule = EdRule::tc; },
       [](Parameters& p) { p.random_separation = Flag::yes; },
       [](Parameters& p) { p.geometry = Geometry::vibrated_column; },
+      [](Parameters& p) { p.geometry = Geometry::lattice; },
+      [](Parameters& p) { p.rows += 1; },
+      [](Parameters& p) { p.columns += 1; },
+      [](Parameters& p) { p.D_t = 5e-324; },
+      [](Parameters& p) { p.side_walls = SideWalls::fixed; },
       [](Parameters& p) { p.gravity = std::nextafter(p.gravity, 0.0); },
       [](Parameters& p) { p.frequency = std::nextafter(p.frequency, 0.0); },
       [](Parameters& p) { p.alpha = 5e-324; },

@@ -80,8 +80,9 @@ TEST(Refusal, UnknownNames) {
   EXPECT_EQ(alone("integrator = [\"gear\"]"),
             "bad.toml:3: sweep.integrator = \"gear\": must be 'exact', 'gear5', 'verlet' or 'rk4' "
             "(did you mean 'gear5'?)");
-  EXPECT_EQ(alone("geometry = \"lattice\""),
-            "bad.toml:3: sweep.geometry = \"lattice\": must be 'column' or 'vibrated-column'");
+  EXPECT_EQ(alone("geometry = \"latice\""),
+            "bad.toml:3: sweep.geometry = \"latice\": must be 'column', 'vibrated-column', 'lattice' or "
+            "'vibrated-lattice' (did you mean 'lattice'?)");
   EXPECT_EQ(alone("law = \"herz\""),
             "bad.toml:3: sweep.law = \"herz\": must be 'hooke', 'hertz', 'hertz-kuwabara-kono', 'taguchi' or 'power' "
             "(did you mean 'hertz'?)");

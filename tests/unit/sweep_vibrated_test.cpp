@@ -86,9 +86,11 @@ TEST(VibratedSweep, RefusesWhatIsMissingOrTwice) {
 
 TEST(VibratedSweep, RefusesWhatItDoesNotUse) {
   const std::string plate = soft + "alpha = 2\n";
-  EXPECT_EQ(wrong(plate + "sigma = 1"), "vib.toml:7: sweep.sigma: no tuple uses it: it needs geometry = 'column'");
+  EXPECT_EQ(wrong(plate + "sigma = 1"), "vib.toml:7: sweep.sigma: no tuple uses it: it needs geometry = 'column' or "
+                                          "'lattice'");
   EXPECT_EQ(wrong(plate + "v0 = 1"),
-            "vib.toml:7: sweep.v0: no tuple uses it: it needs geometry = 'column', or a law that is not linear");
+            "vib.toml:7: sweep.v0: no tuple uses it: it needs geometry = 'column' or 'lattice', or a law that is not "
+            "linear");
   expect_part(wrong(plate + "tolerance = 1e-6"), "sweep.tolerance: no tuple uses it: it needs geometry = 'column'");
   expect_part(wrong("method = \"ed\"\nalpha = 2\ntc = 1e-5"), "sweep.tc: no tuple uses it");
   EXPECT_EQ(wrong("method = [\"ed\", \"md\"]\nalpha = 2\ntc = 1e-5"), "accepted");
@@ -120,7 +122,7 @@ TEST(VibratedSweep, RefusesBadPlates) {
 }
 
 TEST(VibratedSweep, IsNoPrecisionStudy) {
-  expect_part(wrong(soft + "alpha = 2\n[precision]\n"), "only geometry = 'column' has an eps_eff");
+  expect_part(wrong(soft + "alpha = 2\n[precision]\n"), "by the eps_eff of geometry = 'column' only");
 }
 
 TEST(VibratedSweep, PlotsTheRiseAgainstAlphaUnlessToldOtherwise) {

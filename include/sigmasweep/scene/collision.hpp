@@ -10,7 +10,8 @@ enum class End : std::uint8_t {
   none,       ///< it is not over: see the status
   separated,  ///< no contact closed and no neighbouring pair, wall included, approaching
   settled,    ///< pairs still approach, but what they can dissipate is below the tolerance, and in the error
-  periods     ///< vibrated column: all periods of the plate are over
+  periods,    ///< vibrated: all periods of the plate are over
+  quiet       ///< lattice: nothing has touched for a time of 2 N s0/v0, Sec. IV C
 };
 
 /// What a row of a table is worth. The names are stored in the table (names.hpp).

@@ -23,6 +23,7 @@ template <> std::span<const std::string_view> names_of<Law>();
 template <> std::span<const std::string_view> names_of<Material>();
 template <> std::span<const std::string_view> names_of<EdRule>();
 template <> std::span<const std::string_view> names_of<Flag>();
+template <> std::span<const std::string_view> names_of<SideWalls>();
 template <> std::span<const std::string_view> names_of<End>();
 template <> std::span<const std::string_view> names_of<Status>();
 

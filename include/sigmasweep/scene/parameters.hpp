@@ -9,8 +9,12 @@ namespace sigmasweep {
 enum class Method : std::uint8_t { md, ed };
 
 /// What the beads do: a column that flies into a fixed wall; or one that rests on a plate, under gravity, when the
-/// plate begins to vibrate (Sec. V).
-enum class Geometry : std::uint8_t { column, vibrated_column };
+/// plate begins to vibrate (Sec. V); or the same in two dimensions, with a triangular lattice instead of a column
+/// (Secs. II A, IV C).
+enum class Geometry : std::uint8_t { column, vibrated_column, lattice, vibrated_lattice };
+
+/// Of a lattice: `periodic`, the container repeats itself to the left and right; `fixed`, walls like the bottom.
+enum class SideWalls : std::uint8_t { periodic, fixed };
 
 /// The wall's restitution: `paper`, the same spring and the same dashpot as a pair of beads, so that
 /// eps_wall = exp(-pi L/sqrt(2 pi^2 + L^2)), L = -ln eps; `matched`, the same (tc, eps) as a pair.
@@ -34,8 +38,8 @@ enum class EdRule : std::uint8_t { lrv, tc };
 /// A yes or no that users write as true or false.
 enum class Flag : std::uint8_t { no, yes };
 
-/// Everything that defines one collision of a column of N beads with a fixed wall, or one run of a vibrated column. SI
-/// units. A plain value of fixed size: it is sent between ranks as it is. Stiffness and damping are given by (tc,
+/// Everything that defines one collision of a column of N beads with a fixed wall, or one run of a vibrated column, or
+/// of a lattice instead. SI units. A plain value of fixed size: it is sent between ranks as it is. Stiffness and damping are given by (tc,
 /// epsilon), by (K_over_m, D_n) or by the material; s0 and sigma = s0/(v0 tc) are kept together, as are alpha and A0.
 /// complete() fills in the rest.
 struct Parameters {
@@ -48,7 +52,8 @@ struct Parameters {
   double D_n = 0.0;            ///< dashpot over m_ij, twice the reduced mass, 1/(s m^gamma); only with K_over_m
   double beta = 0.0;           ///< power law: exponent of the spring
   double gamma = 0.0;          ///< power law: exponent of the dashpot
-  double d = 1e-3;             ///< bead diameter, m; drops out of every result of the linear law without gravity
+  double d = 1e-3;             ///< bead diameter, m; drops out of a column's results, the linear law without gravity
+  double D_t = 0.0;            ///< lattice: tangential dashpot over m_ij, Eq. (4), 1/s
   double width = 0.0;          ///< diameters are uniform in d +- width/2, m; masses go with their cubes
   double steps_per_tc = 100.0; ///< fixed-step integrators: time step tc/steps_per_tc; 0: chosen by the tolerance
   double tolerance = 1e-10;    ///< exact, or a chosen step: wanted absolute error of eps_eff
@@ -58,7 +63,9 @@ struct Parameters {
   double A0 = 0.0;             ///< the plate's amplitude, m
   std::int64_t periods = 120;  ///< of the plate: how long a vibrated column is followed
   std::int64_t transient = 20; ///< of these, the first ones, which no average takes in
-  std::int64_t N = 10;         ///< number of beads
+  std::int64_t N = 10;         ///< number of beads; of a lattice rows times columns
+  std::int64_t rows = 10;      ///< lattice: its height h
+  std::int64_t columns = 13;   ///< lattice: beads in a row
   std::int64_t seed = 0;       ///< of random diameters and separations
   Geometry geometry = Geometry::column;
   Method method = Method::md;
@@ -67,6 +74,7 @@ struct Parameters {
   Law law = Law::hooke;
   Material material = Material::none;
   EdRule ed_rule = EdRule::lrv;
+  SideWalls side_walls = SideWalls::periodic;  ///< lattice
   Flag random_separation = Flag::no;  ///< each bead shifted by up to +- s0/2 at the start, Sec. IV
 };
 
@@ -84,6 +92,8 @@ Parameters complete(Parameters parameters, Gap given);
 void give_material(Parameters& parameters);
 void give_pair(Parameters& parameters);
 void give_gap(Parameters& parameters, Gap given);
+/// N of a lattice.
+void give_beads(Parameters& parameters);
 
 /// Empty when `parameters` describe a collision; else one sentence naming the parameter, its value and what is allowed.
 std::string why_invalid(const Parameters& parameters);

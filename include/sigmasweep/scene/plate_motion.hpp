@@ -4,9 +4,15 @@
 
 namespace sigmasweep {
 
-constexpr bool is_vibrated(const Parameters& p) { return p.geometry == Geometry::vibrated_column; }
+constexpr bool is_vibrated(const Parameters& p) {
+  return p.geometry == Geometry::vibrated_column || p.geometry == Geometry::vibrated_lattice;
+}
+/// Whether it has two dimensions.
+constexpr bool is_lattice(const Parameters& p) {
+  return p.geometry == Geometry::lattice || p.geometry == Geometry::vibrated_lattice;
+}
 
-/// A step of complete(), for vibrated columns: alpha = A0 (2 pi f)^2/g and A0, the missing one from the other. Where
+/// A step of complete(), for what vibrates: alpha = A0 (2 pi f)^2/g and A0, the missing one from the other. Where
 /// both are there and differ A0 counts. What is complete already stays as it is, to the bit.
 void give_plate(Parameters& parameters);
 

@@ -11,6 +11,8 @@ namespace sigmasweep {
 
 Collision simulate_vibrated(const Parameters& parameters, Patience* patience = nullptr);
 Collision simulate_vibrated_soft_spheres(const Parameters& parameters, Patience* patience = nullptr);
+/// Of a lattice in a vibrated container, soft spheres.
+Collision simulate_vibrated_lattice(const Parameters& parameters, Patience* patience = nullptr);
 
 /// Bounces on the plate end in finite time: beads whose next bounces would be over within 1e-8 periods are at rest on
 /// it, and such columns, like others that collapse, are Status::collapsed. With EdRule::tc there is no such end: a bead

@@ -10,11 +10,14 @@
 ///
 ///     /h5md                       version [1, 1]; author, creator, modules/units (SI)
 ///     /particles/beads            box (dimension 1, boundary none), mass (over the mean bead's), diameter
-///         position                height of the centre above the wall, m
-///         velocity                m/s
-///         reduced_height          z_i, Eq. (9), m: what the column does, without the digits that position spends on d
+///         position                height of the centre above the wall, m; of a lattice (x, height)
+///         velocity                m/s; of a lattice (horizontal, upwards)
+///         reduced_height          z_i, Eq. (9), m: what the column does, without the digits that position spends on d;
+///                                 not of a lattice
 ///     /observables/kinetic_energy over that at the start
 ///     /parameters                 everything that defines the collision, as attributes
+/// The box of a lattice has dimension 2, boundary [periodic or none, none] and edges: the container's width, and the
+/// largest height that a bead reaches. Its horizontal positions are those of any image, as H5MD allows.
 /// All time-dependent elements share one step (the sample's number) and one time (s from the start).
 namespace sigmasweep {
 

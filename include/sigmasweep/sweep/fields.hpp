@@ -15,7 +15,7 @@ namespace sigmasweep {
 
 enum class FieldType : std::uint8_t {
   real, integer, unsigned_integer, integer32, method, wall, integrator, end, status, law, material, ed_rule, flag,
-  geometry
+  geometry, side_walls
 };
 
 struct Field {

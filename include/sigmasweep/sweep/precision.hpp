@@ -22,7 +22,7 @@ namespace sigmasweep {
 ///     repeats = 5     # timings, of which the smallest counts
 ///     seconds = 0.1   # CPU time for one setting of a scene, or for the references: as many of the tuples as fit
 ///     repeat_seconds = 1   # a setting that has taken longer is not timed once more
-///     longest = 0.5   # settings of which a tuple is predicted to take longer, s, are left out
+///     longest = 0.5   # settings of which a tuple takes longer, s, are left out
 ///     seed    = 0
 struct PrecisionSpec {
   std::vector<Integrator> integrators{Integrator::exact, Integrator::gear5, Integrator::verlet, Integrator::rk4};

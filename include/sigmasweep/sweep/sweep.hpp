@@ -78,15 +78,15 @@ enum class ManagerRole { automatic, computes, dedicated };
 /// Enumerations (method, law, ...) are names, random_separation is true or false.
 ///
 /// v0, N and one of s0 and sigma must be given, of vibrated columns N and one of alpha and A0 (s0 is 0 unless given, v0
-/// only counts for laws that are not linear); and stiffness and damping in one of three ways: tc and epsilon;
-/// K_over_m and D_n (default 0); material = "steel" | "aluminium", which has its own d, too. With the last two tc and
-/// epsilon follow at each v0. Everything else has the defaults of Parameters, but law = "power" needs beta and gamma.
-/// With a tolerance and without steps_per_tc the integrators of fixed step choose their step (steps_per_tc = 0).
-/// Where all tuples are hard spheres with ed_rule = "lrv" tc may be left out: their contact time is zero, and the
-/// default only gives sigma its unit. A parameter that no tuple uses (steps_per_tc without a fixed-step integrator, a
-/// seed where nothing is random, ...; see usage.hpp) is an error. So is a pair that is too damped to come apart, but in
-/// very large sweeps only where an axis has its extremes; elsewhere its row fails. `zip` names groups of axes that
-/// advance together, `where` a condition on the parameters (see Where).
+/// only counts for laws that are not linear), of lattices rows instead of N; and stiffness and damping in one of three
+/// ways: tc and epsilon; K_over_m and D_n (default 0); material = "steel" | "aluminium", which has its own d, too. With
+/// the last two tc and epsilon follow at each v0. Everything else has the defaults of Parameters, but law = "power"
+/// needs beta and gamma. With a tolerance and without steps_per_tc the integrators of fixed step choose their step
+/// (steps_per_tc = 0). Where all tuples are hard spheres with ed_rule = "lrv" tc may be left out: their contact time is
+/// zero, and the default only gives sigma its unit. A parameter that no tuple uses (steps_per_tc without a fixed-step
+/// integrator, a seed where nothing is random, ...; see usage.hpp) is an error. So is a pair that is too damped to come
+/// apart, but in very large sweeps only where an axis has its extremes; elsewhere its row fails. `zip` names groups of
+/// axes that advance together, `where` a condition on the parameters (see Where).
 ///
 /// Index -> tuple is arithmetic: up to 2^40 tuples cost no memory. With `where` up to 2^26 tuples (fewer if it is
 /// longer than 64 characters; 2^17 if there are more than 2^13 different nonlinear pairs of a given stiffness) are
@@ -117,9 +117,9 @@ class Sweep {
   const std::vector<std::string>& axes() const;
   /// How many values each of them takes, in the same order.
   const std::vector<std::uint64_t>& axis_sizes() const;
-  /// What /results holds: the fixed members (v0, tc, s0, sigma, N, epsilon, method; of vibrated columns tc where
-  /// there is one, N, epsilon, method, frequency, alpha, A0, periods), other parameters that are axes, then the
-  /// results.
+  /// What /results holds: the fixed members (v0, tc, s0, sigma, N, epsilon, method; of what vibrates tc where there
+  /// is one, N, epsilon, method, frequency, alpha, A0, periods; of lattices rows and columns, too), other parameters
+  /// that are axes, then the results.
   const std::vector<Field>& columns() const;
 
  private:

@@ -7,9 +7,9 @@ namespace sigmasweep {
 
 /// [trajectory] of a spec: rows whose motions are filmed, into a file each beside the table.
 ///
-///     samples  = 1001      # evenly spaced, both ends included; 2 to 1,000,000, and with the beads at most 2^26 values
-///     duration = 2e-4      # s from the start; without it 1.5 times to the last contact with the wall, or of vibrated
-///                          # columns 10 periods (show_time())
+///     samples  = 1001      # evenly spaced, both ends included; 2 to 1,000,000, at most 2^26 coordinates in all
+///     duration = 2e-4      # s from the start; without it 1.5 times to the last contact with the wall, less of dilute
+///                          # lattices, and of what vibrates 10 periods (show_time())
 ///     where    = "N == 10" # which rows: a condition on the parameters; without it all
 struct TrajectorySpec {
   static constexpr std::uint64_t most_files = 10'000;

@@ -1,0 +1,101 @@
+#include "velocity_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sigmasweep/scene/plate_motion.hpp"
+
+namespace sigmasweep {
+namespace {
+
+constexpr double rounding = 1e-9;  // of a period: samples at its beginning belong there
+
+/// In periods.
+double first_time(const Panel& panel) {
+  const double periods = panel.trajectory.time.back() * panel.row.parameters.frequency;
+  return std::min(std::floor(periods / 3.0 + rounding), static_cast<double>(panel.row.parameters.transient));
+}
+
+std::vector<std::size_t> samples_of(const Panel& panel, std::size_t phase, std::size_t phases) {
+  std::vector<std::size_t> chosen;
+  const double f = panel.row.parameters.frequency, first = first_time(panel);
+  for (std::size_t s = 0; s < panel.trajectory.samples(); ++s) {
+    const double turns = panel.trajectory.time[s] * f + rounding;
+    const auto part = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(phases));
+    if (part == phase && turns >= first) chosen.push_back(s);
+  }
+  return chosen;
+}
+
+/// Cells up to the highest bead, or to four times what the closed lattice has in rows.
+VelocityField empty_field(const Panel& panel) {
+  const Trajectory& t = panel.trajectory;
+  const double d = std::accumulate(t.diameter.begin(), t.diameter.end(), 0.0) / static_cast<double>(t.beads());
+  VelocityField field;
+  field.columns = static_cast<std::size_t>(std::max(1.0, std::round(t.box_width / d)));
+  field.width = t.box_width / static_cast<double>(field.columns);
+  field.height = d;
+  field.periodic = t.periodic;
+  double highest = d;
+  for (std::size_t k = 0; k < t.z.size(); ++k)
+    if (std::isfinite(t.z[k]))
+      highest = std::max(highest, t.z[k] - plate_height(panel.row.parameters, t.time[k / t.beads()]));
+  field.rows = static_cast<std::size_t>(
+      std::min(std::ceil(highest / d), 4.0 * static_cast<double>(panel.row.parameters.rows)));
+  field.velocity.resize(field.columns * field.rows);
+  field.filled.resize(field.columns * field.rows);
+  return field;
+}
+
+}  // namespace
+
+VelocityField velocity_field(const Panel& panel, std::size_t phase, std::size_t phases) {
+  constexpr double enough = 0.05;
+  const Trajectory& t = panel.trajectory;
+  VelocityField field = empty_field(panel);
+  std::vector<double> beads(field.velocity.size());
+  Vec2<double> all;
+  double count = 0.0;
+  const std::vector<std::size_t> samples = samples_of(panel, phase, phases);
+  for (const std::size_t s : samples)
+    for (std::size_t k = s * t.beads(); k < (s + 1) * t.beads(); ++k) {
+      const double x = t.x[k] - t.box_width * std::floor(t.x[k] / t.box_width);
+      const double z = t.z[k] - plate_height(panel.row.parameters, t.time[s]);
+      const double row = std::floor(z / field.height);
+      if (!(row >= 0.0 && row < static_cast<double>(field.rows))) continue;  // nor where the solver gave up
+      const Vec2<double> v{t.x_velocity[k], t.velocity[k]};
+      const auto column = std::min(static_cast<std::size_t>(x / field.width), field.columns - 1);
+      const std::size_t cell = static_cast<std::size_t>(row) * field.columns + column;
+      field.velocity[cell] += v;
+      beads[cell] += 1.0;
+      all += v;
+      count += 1.0;
+    }
+  for (std::size_t cell = 0; cell < beads.size(); ++cell) {
+    field.filled[cell] = beads[cell] > 0.0 && beads[cell] >= enough * static_cast<double>(samples.size());
+    if (field.filled[cell])
+      field.velocity[cell] = (1.0 / beads[cell]) * field.velocity[cell] - (1.0 / count) * all;
+  }
+  return field;
+}
+
+Rolls rolls_of(const VelocityField& field) {
+  double sums[2] = {0.0, 0.0}, corners[2] = {0.0, 0.0};
+  const std::size_t last = field.periodic ? field.columns : field.columns - 1;
+  for (std::size_t i = 0; i < last; ++i)
+    for (std::size_t row = 0; row + 1 < field.rows; ++row) {
+      const std::size_t j = (i + 1) % field.columns;
+      if (!(field.has(i, row) && field.has(j, row) && field.has(i, row + 1) && field.has(j, row + 1))) continue;
+      const Vec2<double> a = field.at(i, row), b = field.at(j, row), c = field.at(i, row + 1), e = field.at(j, row + 1);
+      const double curl = (b.z + e.z - a.z - c.z) / (2.0 * field.width) - (c.x + e.x - a.x - b.x) / (2.0 * field.height);
+      // A corner in the middle belongs to both halves, and so does the one where a periodic container is joined.
+      const std::size_t twice = 2 * (i + 1);
+      const bool both = twice == field.columns || i + 1 == field.columns;
+      if (twice < field.columns || both) sums[0] += curl, corners[0] += 1.0;
+      if (twice > field.columns || both) sums[1] += curl, corners[1] += 1.0;
+    }
+  return {corners[0] > 0.0 ? sums[0] / corners[0] : 0.0, corners[1] > 0.0 ? sums[1] / corners[1] : 0.0};
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sigmasweep/report/plot_trajectories.hpp"
+#include "sigmasweep/scene/vec2.hpp"
+
+namespace sigmasweep {
+
+/// Mean velocities of a vibrated lattice's beads in the cells of a grid that goes up and down with the plate, during a
+/// part of its period: [phase/phases, (phase + 1)/phases), over all periods after the first ones, a third of the film's
+/// but not more than the transient. Relative to the mean velocity of all beads in that time, so that what is seen is
+/// how beads move past each other.
+struct VelocityField {
+  std::size_t columns = 0, rows = 0;   ///< of cells, from the container's lower left corner
+  double width = 0.0, height = 0.0;    ///< of a cell, m: about the mean diameter
+  bool periodic = false;
+  std::vector<Vec2<double>> velocity;  ///< m/s, of cell [row * columns + column]
+  std::vector<bool> filled;            ///< whether enough beads came by: in one sample of twenty there is one
+
+  bool has(std::size_t column, std::size_t row) const { return filled[row * columns + column]; }
+  Vec2<double> at(std::size_t column, std::size_t row) const { return velocity[row * columns + column]; }
+};
+
+VelocityField velocity_field(const Panel& panel, std::size_t phase, std::size_t phases);
+
+/// How strong convection rolls are: the mean curl of the field (counterclockwise is positive; a rigid rotation has twice
+/// its angular velocity) in the left and in the right half, 1/s; of the corners between four cells that are filled, 0
+/// where there are none. A pair of rolls that goes up in the middle and down at the sides has left > 0 > right.
+struct Rolls {
+  double left = 0.0, right = 0.0;
+};
+Rolls rolls_of(const VelocityField& field);
+
+}  // namespace sigmasweep

@@ -1,0 +1,340 @@
+#include "lattice_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lattice_samples.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// The overlap at which a gap counts as closed: the force that is left out is below the accuracy. Not less than what
+/// rounding makes of positions, so that beads that lie side by side do not open and close for ever.
+template <class Real>
+Real smallest_overlap(const Lattice<Real>& lattice, double accuracy) {
+  const Real unit = lattice.beads.speed * lattice.beads.tc, extent = lattice.beads.gap * Real(double(lattice.rows));
+  return std::max(Real(0.01 * accuracy) * unit, std::numeric_limits<Real>::epsilon() * (4096 * unit + 16 * extent));
+}
+
+/// Of slowest_, in closing overlaps a tc.
+constexpr double slow = 16.0;
+
+/// In contacts: how far from an event motions change at once; and the beads of a cluster that is moved as a whole.
+template <class Ground>
+constexpr int reach = Ground::moves ? 1'000'000 : 3;
+template <class Ground>
+constexpr std::size_t most_whole = Ground::moves ? SIZE_MAX : 200;
+
+/// The interpolation of motions by quintics is off by (omega h)^6/46080 of an amplitude, a tenth; the fastest mode of
+/// a triangular lattice has omega^2 = 6 K/m. News past the reach are much less: in the time h of a step
+/// (1.5 K h^2)^4/8! of it.
+double longest_step(double accuracy) {
+  const double fastest_mode = std::sqrt(3.0) * std::numbers::pi;
+  return std::min(0.08, std::pow(4.6e5 * accuracy, 1.0 / 6.0) / fastest_mode);
+}
+/// Guests whose motions are known no longer than this part of it join the cluster.
+constexpr double too_short = 0.05;
+
+}  // namespace
+
+template <class Real, class Ground>
+LatticeEvents<Real, Ground>::LatticeEvents(const Lattice<Real>& lattice, const LatticeOptions& options,
+                                           const Ground& ground)
+    : lattice_(lattice),
+      options_(options),
+      ground_(ground),
+      neighbours_(lattice),
+      closing_overlap_(smallest_overlap(lattice, options.accuracy)),
+      slowest_(Real(slow) * closing_overlap_ / lattice.beads.tc),
+      longest_(Real(longest_step(options.accuracy)) * lattice.beads.tc),
+      beads_(lattice.count()),
+      touching_(lattice.count()),
+      mark_(lattice.count()),
+      slot_(lattice.count()) {
+  if (options_.event_limit == 0) options_.event_limit = 100'000 + 1'000 * lattice.count();
+  if (options_.work_limit == 0) options_.work_limit = 10'000'000'000 + 20'000'000 * lattice.count();
+  for (std::size_t i = 0; i < beads_.size(); ++i) {
+    if (!lattice.shift.empty()) beads_[i].q = lattice.shift[i];
+    if constexpr (!Ground::moves) beads_[i].v = {Real(0), -lattice.beads.speed};
+  }
+}
+
+template <class Real, class Ground>
+bool LatticeEvents<Real, Ground>::touches(std::size_t i, const Neighbour<Real>& other) const {
+  return std::ranges::any_of(touching_[i], [&](const Neighbour<Real>& n) { return n.is(other.bead, other.image); });
+}
+
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::touch(std::size_t i, const Neighbour<Real>& other, const Real& t) {
+  touching_[i].push_back(other);
+  if (!other.is_wall()) touching_[other.bead].push_back(other.seen_from_there(static_cast<std::uint32_t>(i)));
+  ++closed_;
+  last_change_ = epoch_ + t;
+  if (other.bead == Neighbour<Real>::bottom && wall_closed_ < 0) wall_closed_ = epoch_ + t;
+}
+
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::part(std::size_t i, const Neighbour<Real>& other, const Real& t) {
+  const auto forget = [this](std::size_t bead, std::uint32_t with, std::int32_t image) {
+    std::erase_if(touching_[bead], [&](const Neighbour<Real>& n) { return n.is(with, image); });
+  };
+  forget(i, other.bead, other.image);
+  if (!other.is_wall()) forget(other.bead, static_cast<std::uint32_t>(i), -other.image);
+  --closed_;
+  ++contacts_;
+  last_touch_ = last_change_ = epoch_ + t;
+  if (other.bead == Neighbour<Real>::bottom) wall_opened_ = epoch_ + t;
+}
+
+template <class Real, class Ground>
+std::size_t LatticeEvents<Real, Ground>::new_cluster() {
+  if (free_clusters_.empty()) {
+    free_clusters_.push_back(clusters_.size());
+    clusters_.emplace_back();
+    clusters_.back().cluster = std::make_unique<Cluster>(lattice_, Real(options_.accuracy), ground_);
+  }
+  const std::size_t id = free_clusters_.back();
+  free_clusters_.pop_back();
+  clusters_[id].cluster->clear();
+  clusters_[id].in_use = true;
+  return id;
+}
+
+/// The beads that cluster `id` still has restart at t, its end or a time to which it is cut.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::gather_cluster(std::size_t id, const Real& t, std::vector<Placed>& placed) {
+  Held& held = clusters_[id];
+  Cluster& cluster = *held.cluster;
+  if (held.whole && cluster.end() != t) cluster.cut(t);
+  const auto owns = [&](std::size_t place) {
+    const Bead& bead = beads_[cluster.beads()[place]];
+    return bead.cluster == std::int32_t(id) && bead.place == place;
+  };
+  x_max_ = cluster.deepest(x_max_, owns);
+  if constexpr (Ground::moves) work_done_ += cluster.work();
+  for (std::size_t place = 0; place < cluster.beads().size(); ++place) {
+    const std::uint32_t i = cluster.beads()[place];
+    if (!owns(place) || mark_[i] == marks_) continue;
+    const BeadState<Real> state = cluster.at(place, t);
+    mark_[i] = marks_;
+    placed.push_back({i, state.q, state.v, cluster.next_span()});
+  }
+  held.in_use = false;
+  ++held.version;
+  free_clusters_.push_back(id);
+}
+
+/// These beads and those within reach restart at t.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::gather_near(std::vector<std::uint32_t> layer, const Real& t,
+                                              std::vector<Placed>& placed) {
+  const auto take = [&](std::uint32_t bead) {
+    const std::int32_t id = beads_[bead].cluster;
+    if (id >= 0 && clusters_[std::size_t(id)].whole) return gather_cluster(std::size_t(id), t, placed);
+    const BeadState<Real> state = at(bead, t);
+    Real span = never;
+    if (id >= 0) {
+      const Cluster& cluster = *clusters_[std::size_t(id)].cluster;
+      span = std::max(Real(2 * (t - cluster.begin())), Real(1e-3 * longest_));
+    }
+    mark_[bead] = marks_;
+    placed.push_back({bead, state.q, state.v, span});
+  };
+  std::vector<std::uint32_t> next;
+  for (const std::uint32_t bead : layer)
+    if (mark_[bead] != marks_) take(bead);
+  for (int distance = 0; distance < reach<Ground> && !layer.empty(); ++distance, layer.swap(next)) {
+    next.clear();
+    for (const std::uint32_t bead : layer)
+      for (const Neighbour<Real>& other : touching_[bead]) {
+        if (other.is_wall() || mark_[other.bead] == marks_) continue;
+        take(other.bead);
+        next.push_back(other.bead);
+      }
+  }
+}
+
+/// Newton's method for the time at which the gap opens or closes, where clusters can be stepped to it. False if it does
+/// not, or only after the next event: then they are cut where it was foreseen.
+template <class Real, class Ground>
+bool LatticeEvents<Real, Ground>::locate(Real& t, std::size_t i, const Neighbour<Real>& other,
+                                         std::span<const std::size_t> whole) {
+  using std::fabs;
+  Real earliest = now_, latest = next_event();
+  for (const std::size_t id : whole) {
+    latest = std::min(latest, clusters_[id].cluster->end());
+    earliest = std::max(earliest, clusters_[id].cluster->begin());
+  }
+  const bool opens = touches(i, other);
+  for (int iteration = 0; iteration < 8 && !whole.empty(); ++iteration) {
+    for (const std::size_t id : whole) clusters_[id].cluster->cut(t);
+    const Motion<Real> now = gap(i, other, t);
+    const Real distance = opens ? Real(-now.x) : Real(now.x + closing_overlap_), rate = opens ? Real(-now.u) : now.u;
+    if (fabs(distance) <= Real(0.1) * closing_overlap_) return true;
+    const Real next = std::max(Real(t - distance / rate), earliest);
+    if (fabs(next - t) <= 4 * std::numeric_limits<Real>::epsilon() * t) return true;
+    if (!(rate < 0) || !(next <= latest)) return false;
+    t = next;
+  }
+  return true;
+}
+
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::change_gap(const Event& event) {
+  const auto& list = neighbours_.of(event.bead);
+  const auto found =
+      std::ranges::find_if(list, [&](const Neighbour<Real>& n) { return n.is(event.other, event.image); });
+  if (found == list.end()) return;
+  const Neighbour<Real> other = *found;
+  std::vector<std::size_t> whole;
+  for (const std::size_t bead : {std::size_t(event.bead), std::size_t(other.bead)}) {
+    const std::int32_t id = bead < beads_.size() ? beads_[bead].cluster : -1;
+    if (id < 0 || !clusters_[std::size_t(id)].whole) continue;
+    if (whole.empty() || whole[0] != std::size_t(id)) whole.push_back(std::size_t(id));
+  }
+  Real t = event.time;
+  const bool changes = locate(t, event.bead, other, whole);
+  now_ = t;
+  ++marks_;
+  std::vector<Placed> placed;
+  for (const std::size_t id : whole) gather_cluster(id, t, placed);
+  if (changes) {
+    const bool opens = touches(event.bead, other);
+    if (!opens) touch(event.bead, other, t);
+    gather_near(other.is_wall() ? std::vector{event.bead} : std::vector{event.bead, other.bead}, t, placed);
+    if (opens) part(event.bead, other, t);
+  }
+  restart(placed, t);
+}
+
+/// Beads that touch one another are clusters, the others fly.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::restart(std::vector<Placed>& placed, const Real& t) {
+  // Clusters around that are over in no time come along.
+  for (std::size_t k = 0; k < placed.size(); ++k)
+    for (const Neighbour<Real>& other : touching_[placed[k].bead])
+      if (!other.is_wall() && mark_[other.bead] != marks_ &&
+          until(other.bead) - t < Real(too_short) * longest_)
+        gather_cluster(std::size_t(beads_[other.bead].cluster), t, placed);
+  std::vector<Real> span_of;  // by slot
+  for (const Placed& p : placed) {
+    beads_[p.bead] = {p.q, p.v, t, -1, 0, beads_[p.bead].version + 1};
+    slot_[p.bead] = static_cast<std::uint32_t>(span_of.size());
+    span_of.push_back(p.span);
+    renew_list(p.bead, t);
+  }
+  std::vector<std::uint32_t> group;
+  constexpr std::int32_t found = -2;
+  for (const Placed& p : placed) {
+    if (beads_[p.bead].cluster != -1) continue;
+    if (touching_[p.bead].empty()) {
+      push(leaves(p.bead, t), Kind::list, p.bead, {});
+      continue;
+    }
+    group.assign(1, p.bead);
+    beads_[p.bead].cluster = found;
+    Real span = never;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      span = std::min(span, span_of[slot_[group[k]]]);
+      for (const Neighbour<Real>& other : touching_[group[k]])
+        if (!other.is_wall() && mark_[other.bead] == marks_ && beads_[other.bead].cluster == -1) {
+          beads_[other.bead].cluster = found;
+          group.push_back(other.bead);
+        }
+    }
+    restart_group(group, span, t);
+  }
+  for (const Placed& p : placed) foresee(p.bead, t);
+}
+
+/// The next step of beads that touch each other.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> group, const Real& span,
+                                                const Real& t) {
+  const std::size_t id = new_cluster();
+  Held& held = clusters_[id];
+  Cluster& cluster = *held.cluster;
+  for (const std::uint32_t i : group) cluster.add(i, beads_[i].q, beads_[i].v);
+  for (std::size_t place = 0; place < group.size(); ++place) {
+    beads_[group[place]].cluster = std::int32_t(id);
+    beads_[group[place]].place = slot_[group[place]] = static_cast<std::uint32_t>(place);
+  }
+  Real longest = neighbours_.leeway() / (4 * cluster.fastest());
+  std::vector<std::uint32_t> guests;
+  for (const std::uint32_t i : group)
+    for (const Neighbour<Real>& other : touching_[i]) {
+      if (other.is_wall()) {
+        cluster.add_contact(slot_[i], 0, other);
+      } else if (beads_[other.bead].cluster == std::int32_t(id)) {
+        if (i < other.bead) cluster.add_contact(slot_[i], slot_[other.bead], other);
+      } else {
+        if (std::ranges::find(guests, other.bead) == guests.end()) {
+          const Bead& guest = beads_[other.bead];
+          guests.push_back(other.bead);
+          slot_[other.bead] = cluster.add_guest(other.bead, clusters_[std::size_t(guest.cluster)].cluster->motion(guest.place));
+          longest = std::min(longest, Real(until(other.bead) - t));
+        }
+        cluster.add_contact(slot_[i], slot_[other.bead], other);
+      }
+    }
+  held.whole = guests.empty() && group.size() <= most_whole<Ground>;
+  if (!held.whole) longest = std::min(longest, longest_);
+  if (span < never) cluster.expect(span);
+  ++held.version;
+  const std::uint64_t before = cluster.work_done();
+  if (!cluster.step(t, longest)) lost_ = true;
+  work_ += cluster.work_done() - before;
+  queue_.push({cluster.end(), Kind::step, 0, std::uint32_t(id), 0, held.version, 0});
+}
+
+/// Makes the list of a bead that has gone half its leeway or more anew.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::renew_list(std::size_t i, const Real& t) {
+  const Vec2<Real> q = at(i, t).q, gone = q - neighbours_.anchor(i);
+  if (4 * dot(gone, gone) > neighbours_.leeway() * neighbours_.leeway()) neighbours_.move(i, q);
+}
+
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::handle(const Event& event) {
+  switch (event.kind) {
+    case Kind::gap: return change_gap(event);
+    case Kind::step: {
+      ++marks_;
+      std::vector<Placed> placed;
+      gather_cluster(event.other, event.time, placed);
+      return restart(placed, event.time);
+    }
+    case Kind::list: {  // meetings with those who were on the list before are known
+      for (const Neighbour<Real>& fresh : std::vector(neighbours_.move(event.bead, at(event.bead, event.time).q)))
+        foresee(event.bead, fresh, event.time);
+      push(leaves(event.bead, event.time), Kind::list, event.bead, {});
+    }
+  }
+}
+
+/// The clock starts: at the beginning, with a period of the plate, and where nothing touches after a long time, as times
+/// would lose digits. All clusters there are are whole.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::begin_anew(const Real& t) {
+  ++marks_;
+  queue_ = {};
+  std::vector<Placed> placed;
+  for (std::size_t id = 0; id < clusters_.size(); ++id)
+    if (clusters_[id].in_use) gather_cluster(id, t, placed);
+  for (std::uint32_t i = 0; i < beads_.size(); ++i) {
+    if (mark_[i] == marks_) continue;
+    const BeadState<Real> state = at(i, t);
+    mark_[i] = marks_;
+    placed.push_back({i, state.q, state.v, never});
+  }
+  epoch_ += t;
+  now_ = Real(0);
+  restart(placed, Real(0));
+}
+
+template class LatticeEvents<double>;
+template class LatticeEvents<long double>;
+template class LatticeEvents<double, Plate>;
+
+}  // namespace sigmasweep
