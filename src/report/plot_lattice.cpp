@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 #include "plot_canvas.hpp"
 #include "plot_gnuplot.hpp"
@@ -102,17 +103,25 @@ SpeedScale speed_scale(std::span<const Panel> panels) {
   return {false, std::ceil(largest / digit) * digit};
 }
 
-/// Lines "x z radius speed", with the images of what sticks out.
+/// Lines "x z speed", corner by corner: gnuplot's own circles have 120 corners, which makes an SVG of many MB.
+void put_disc(std::string& out, double x, double z, double r, double speed) {
+  constexpr int corners = 24;
+  for (int k = 0; k <= corners; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / corners;
+    fmt::format_to(std::back_inserter(out), "{:.6g} {:.6g} {:.4g}\n", x + r * std::cos(angle), z + r * std::sin(angle),
+                   speed);
+  }
+  out += "\n";
+}
+
+/// With the images of what sticks out.
 std::string discs(const Panel& panel, std::size_t sample, const SpeedScale& speed) {
   const Trajectory& t = panel.trajectory;
   std::string out;
   for (std::size_t i = 0; i < t.beads(); ++i) {
     const std::size_t k = sample * t.beads() + i;
     const double r = 0.5 * t.diameter[i], w = t.box_width;
-    const auto put = [&](double x) {
-      fmt::format_to(std::back_inserter(out), "{:.6g} {:.6g} {:.6g} {:.4g}\n", x, t.z[k], r,
-                     speed(t.velocity[k], panel.row.parameters));
-    };
+    const auto put = [&](double x) { put_disc(out, x, t.z[k], r, speed(t.velocity[k], panel.row.parameters)); };
     if (!t.periodic) {
       put(t.x[k]);
       continue;
@@ -139,8 +148,9 @@ std::string frame_script(const Panel& panel, const FilmFrame& frame, const View&
   const double middle = x + 0.5 * frame_width, under = y + view.height();
   out += canvas.label(clock(p, time), middle, under + 12.0, "center") +
          canvas.label(frame.what, middle, under + 27.0, "center font ',9' textcolor rgb '#606060'");
-  return out + fmt::format("plot ${} using 1:2:3:4 with circles linecolor palette linewidth 0.3 fillstyle solid border "
-                           "rgb '#303030' notitle\nunset label\nunset colorbox\n", name);
+  return out + fmt::format("plot ${0} using 1:2:3 with polygons linecolor palette fillstyle solid noborder notitle, "
+                           "${0} using 1:2 with lines linecolor rgb '#303030' linewidth 0.3 notitle\n"
+                           "unset label\nunset colorbox\n", name);
 }
 
 std::string colour_box(const SpeedScale& speed, const Canvas& canvas, double height) {

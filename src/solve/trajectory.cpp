@@ -118,7 +118,8 @@ double show_time(const Parameters& p, const Collision& collision) {
   const double first_contact = is_lattice(p) ? p.sigma * p.tc : reduced_column<double>(p).initial_gap(0) * p.tc;
   const double last_contact = first_contact + collision.t_k;
   if (is_lattice(p) && !std::isnan(last_contact))
-    return std::min(1.5 * last_contact, first_contact + 3.0 * static_cast<double>(p.rows) * p.tc * (1.0 + p.sigma));
+    return std::min(1.5 * last_contact,
+                    first_contact + 3.0 * static_cast<double>(p.rows) * (p.tc + (p.s0 + p.width) / p.v0));
   if (last_contact > 0.0 || std::isnan(last_contact)) return 1.5 * last_contact;
   return 1.5 * static_cast<double>(p.N) * p.tc;
 }

@@ -122,14 +122,14 @@ TEST(LatticeTrajectory, ShiftsAreSmallAndMakeNoOverlap) {
   }
 }
 
-/// simulate() ends when nothing has touched for 2 N s0/v0: the film has a quiet of that length, and in the first one
-/// the beads have the energy of eps_eff. Its tolerance is 1e-10; the film's own errors are some 1e-12.
+/// simulate() ends when nothing has touched for 2 N (s0 + width)/v0: the film has a quiet of that length, and in
+/// the first one the beads have the energy of eps_eff. Its tolerance is 1e-10; the film's own errors are some 1e-12.
 TEST(LatticeTrajectory, EndsWithTheEnergyOfTheResult) {
   for (const Parameters& p : all_kinds()) {
     if (p.s0 == 0.0) continue;
     const Collision c = simulate(p);
     ASSERT_EQ(c.status, Status::ok);
-    const double quiet = 2 * 12 * p.s0 / v0, duration = show_time(p, c) + 20 * quiet, step = quiet / 40;
+    const double quiet = 2 * 12 * (p.s0 + p.width) / v0, duration = show_time(p, c) + 20 * quiet, step = quiet / 40;
     const Trajectory t = filmed(p, duration, static_cast<std::size_t>(duration / step));
     std::size_t begin = 0, s = 0;
     double energy = -1.0;
@@ -245,7 +245,7 @@ TEST(LatticeTrajectory, ShowTime) {
   c.t_k = 5 * tc;
   EXPECT_NEAR(show_time(p, c), 1.5 * 8 * tc, 1e-15 * tc);
   c.t_k = 1e6 * tc;
-  EXPECT_NEAR(show_time(p, c), (3 + 3 * 4 * 4) * tc, 1e-13 * tc);
+  EXPECT_NEAR(show_time(p, c), (3 + 3 * 4 * 4) * tc, 1e-13 * tc);  // 3 rows (1 + sigma)
 }
 
 TEST(LatticeTrajectory, NotOfVibratedLattices) {

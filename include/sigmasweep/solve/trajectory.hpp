@@ -44,8 +44,8 @@ Trajectory record(const Parameters& parameters, std::span<const double> times);
 
 /// 1.5 times from the start to the last contact with the wall that `collision`, the result of simulate(), reports: long
 /// enough to see what comes of it. For hard spheres that start in touch, all of whose collisions are at time zero, 1.5
-/// times N tc, the duration of the soft column's contact. Of lattices not longer than 3 rows (tc + s0/v0) after the
-/// first contact, the time in which the lattice closes and opens again: single beads come back to the wall much later.
+/// times N tc, the duration of the soft column's contact. Of lattices not longer than 3 rows (tc + (s0 + width)/v0)
+/// after the first contact, in which the lattice closes and opens again: single beads come back to the wall much later.
 /// What vibrates: ten periods. s; NaN where there is no result.
 double show_time(const Parameters& parameters, const Collision& collision);
 

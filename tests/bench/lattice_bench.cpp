@@ -1,0 +1,92 @@
+// Lattices of discs: what a contact costs, by the number of beads and by sigma, from event to event and by fixed steps.
+// `each`: time a contact that opened.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/solve/lattice.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+
+namespace {
+
+using namespace sigmasweep;
+
+Parameters scene(std::int64_t rows, std::int64_t columns, double sigma) {
+  Parameters p;
+  p.geometry = Geometry::lattice;
+  p.rows = rows;
+  p.columns = columns;
+  p.epsilon = 0.9;
+  p.v0 = 0.05;
+  p.tc = 2e-5;  // d = 1000 v0 tc
+  p.sigma = sigma;
+  p.random_separation = Flag::yes;
+  return complete(p, Gap::sigma);
+}
+
+void count(benchmark::State& state, std::uint64_t contacts) {
+  state.counters["contacts"] = static_cast<double>(contacts);
+  state.counters["each"] = benchmark::Counter(
+      static_cast<double>(contacts), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// One run, without the second one for an error bar.
+void from_event_to_event(benchmark::State& state, std::int64_t rows, std::int64_t columns, double sigma) {
+  const auto lattice = reduced_lattice<double>(scene(rows, columns, sigma));
+  std::uint64_t contacts = 0;
+  for (auto _ : state) contacts = lattice_collision(lattice, {.accuracy = 1e-7}).contacts;
+  count(state, contacts);
+}
+
+void by_fixed_steps(benchmark::State& state, std::int64_t rows, std::int64_t columns, double sigma,
+                    Integrator integrator) {
+  const auto lattice = reduced_lattice<double>(scene(rows, columns, sigma));
+  std::uint64_t contacts = 0;
+  for (auto _ : state) contacts = fixed_step_lattice_collision(lattice, integrator, 0.01).contacts;
+  count(state, contacts);
+}
+
+/// Periods of a vibrated container, 5 rows of 8 beads.
+void vibrated(benchmark::State& state, double tc, Integrator integrator) {
+  Parameters p = scene(5, 8, 0.0);
+  p.geometry = Geometry::vibrated_lattice;
+  p.side_walls = SideWalls::fixed;
+  p.epsilon = 0.8;
+  p.alpha = 3.0;
+  p.s0 = 1e-5;
+  p.v0 = 1.0;
+  p.tc = tc;
+  p.periods = 4;
+  p.transient = 0;
+  p.integrator = integrator;
+  p = complete(p, Gap::s0);
+  std::uint64_t contacts = 0;
+  for (auto _ : state) contacts = simulate(p).contacts;
+  count(state, contacts);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (const auto& [rows, columns] : {std::pair(10, 13), std::pair(20, 20), std::pair(40, 40), std::pair(100, 100)})
+    benchmark::RegisterBenchmark(fmt::format("lattice/exact/sigma:1/N:{}", rows * columns).c_str(),
+                                 from_event_to_event, rows, columns, 1.0)
+        ->Unit(benchmark::kMillisecond);
+  for (const double sigma : {0.01, 0.1, 10.0, 1e4})
+    benchmark::RegisterBenchmark(fmt::format("lattice/exact/sigma:{}/N:130", sigma).c_str(), from_event_to_event, 10, 13,
+                                 sigma)
+        ->Unit(benchmark::kMillisecond);
+  for (const auto integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4})
+    benchmark::RegisterBenchmark(fmt::format("lattice/{}/tc:100/sigma:1/N:130", name_of(integrator)).c_str(),
+                                 by_fixed_steps, 10, 13, 1.0, integrator)
+        ->Unit(benchmark::kMillisecond);
+  for (const double tc : {1e-3, 1e-4, 1e-5})
+    for (const auto integrator : {Integrator::exact, Integrator::verlet})
+      benchmark::RegisterBenchmark(fmt::format("vibrated-lattice/{}/tc:{}", name_of(integrator), tc).c_str(), vibrated,
+                                   tc, integrator)
+          ->Unit(benchmark::kMillisecond);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}
