@@ -54,9 +54,7 @@ VelocityField velocity_field(const Panel& panel, std::size_t phase, std::size_t 
   constexpr double enough = 0.05;
   const Trajectory& t = panel.trajectory;
   VelocityField field = empty_field(panel);
-  std::vector<double> beads(field.velocity.size());
-  Vec2<double> all;
-  double count = 0.0;
+  std::vector<double> beads(field.velocity.size()), rise(field.rows), count(field.rows);
   const std::vector<std::size_t> samples = samples_of(panel, phase, phases);
   for (const std::size_t s : samples)
     for (std::size_t k = s * t.beads(); k < (s + 1) * t.beads(); ++k) {
@@ -69,13 +67,15 @@ VelocityField velocity_field(const Panel& panel, std::size_t phase, std::size_t 
       const std::size_t cell = static_cast<std::size_t>(row) * field.columns + column;
       field.velocity[cell] += v;
       beads[cell] += 1.0;
-      all += v;
-      count += 1.0;
+      rise[static_cast<std::size_t>(row)] += v.z;
+      count[static_cast<std::size_t>(row)] += 1.0;
     }
   for (std::size_t cell = 0; cell < beads.size(); ++cell) {
     field.filled[cell] = beads[cell] > 0.0 && beads[cell] >= enough * static_cast<double>(samples.size());
-    if (field.filled[cell])
-      field.velocity[cell] = (1.0 / beads[cell]) * field.velocity[cell] - (1.0 / count) * all;
+    const std::size_t row = cell / field.columns;
+    field.velocity[cell] = field.filled[cell] ? (1.0 / beads[cell]) * field.velocity[cell] -
+                                                    Vec2<double>{0.0, rise[row] / count[row]}
+                                              : Vec2<double>{};
   }
   return field;
 }

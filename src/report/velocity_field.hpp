@@ -10,8 +10,8 @@ namespace sigmasweep {
 
 /// Mean velocities of a vibrated lattice's beads in the cells of a grid that goes up and down with the plate, during a
 /// part of its period: [phase/phases, (phase + 1)/phases), over all periods after the first ones, a third of the film's
-/// but not more than the transient. Relative to the mean velocity of all beads in that time, so that what is seen is
-/// how beads move past each other.
+/// but not more than the transient. Vertically relative to the mean of the row of cells: that goes up and down, and the
+/// rows away from each other and back, in every period, and what is to be seen is how beads move past each other.
 struct VelocityField {
   std::size_t columns = 0, rows = 0;   ///< of cells, from the container's lower left corner
   double width = 0.0, height = 0.0;    ///< of a cell, m: about the mean diameter

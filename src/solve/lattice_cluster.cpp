@@ -9,6 +9,7 @@ namespace {
 constexpr int most_tries = 200;
 /// Of the first step that a cluster ever makes, tc.
 constexpr double first_span = 0.05;
+constexpr double shortest_span = 1e-4;
 
 }  // namespace
 
@@ -27,16 +28,15 @@ void LatticeCluster<Real, Ground>::clear() {
   guests_.clear();
   contacts_.clear();
   for (auto* v : {&mass_, &K_, &C_, &C_t_}) v->clear();
-  for (auto* v : {&q_, &v_}) v->clear();
+  for (auto* v : {&origin_, &q_, &v_}) v->clear();
   next_ = Real(first_span) * lattice_.beads.tc;
 }
 
-/// Positions and velocities come one after the other until the first step.
 template <class Real, class Ground>
 void LatticeCluster<Real, Ground>::add(std::uint32_t bead, const Vec2<Real>& q, const Vec2<Real>& v) {
   beads_.push_back(bead);
   mass_.push_back(lattice_.mass(bead));
-  q_.push_back(q);
+  origin_.push_back(q);
   v_.push_back(v);
 }
 
@@ -66,7 +66,7 @@ void LatticeCluster<Real, Ground>::slopes(const State& y, State& dy, const Real&
   const std::size_t count = contacts_.size(), n = beads_.size();
   work_ += count + n;
   for (std::size_t i = 0; i < n; ++i) {
-    q_[i] = vector(y, 0, i);
+    q_[i] = origin_[i] + vector(y, 0, i);
     v_[i] = vector(y, 1, i);
   }
   for (std::size_t g = 0; g < guests_.size(); ++g) {
@@ -140,8 +140,6 @@ bool LatticeCluster<Real, Ground>::step(const Real& begin, const Real& longest) 
   begin_ = begin;
   for (State* y : {&start_, &end_, &start_slope_, &end_slope_}) y->assign(4 * n + (Ground::moves ? 2 : 0), Real(0));
   for (std::size_t i = 0; i < n; ++i) {
-    start_[2 * i] = q_[i].x;
-    start_[2 * i + 1] = q_[i].z;
     start_[2 * (n + i)] = v_[i].x;
     start_[2 * (n + i) + 1] = v_[i].z;
   }
@@ -161,16 +159,22 @@ bool LatticeCluster<Real, Ground>::step(const Real& begin, const Real& longest) 
   return false;
 }
 
+/// Twice as long as what was left of this one. Many things may happen at the same time: not next to nothing.
+template <class Real, class Ground>
+Real LatticeCluster<Real, Ground>::after_cut(const Real& t) const {
+  return std::max(Real(2 * (t - begin_)), Real(shortest_span) * lattice_.beads.tc);
+}
+
 template <class Real, class Ground>
 void LatticeCluster<Real, Ground>::cut(const Real& t) {
-  if (t < end()) next_ = std::max(Real(2 * (t - begin_)), Real(1e-3) * span_);
+  if (t < end()) next_ = after_cut(t);
   trial(std::max(Real(t - begin_), Real(0)));
 }
 
 template <class Real, class Ground>
 BeadState<Real> LatticeCluster<Real, Ground>::at(std::size_t place, const Real& t) const {
-  if (t <= begin_) return at_start(place);
-  if (t >= end()) return at_end(place);
+  if (t <= begin_) return state(start_, start_slope_, place);
+  if (t >= end()) return state(end_, end_slope_, place);
   return motion(place).at(t);
 }
 

@@ -13,18 +13,21 @@
 
 namespace sigmasweep {
 
-/// A bead's motion in a step, by Hermite's quintics.
+/// A bead's motion in a step, by Hermite's quintics for the way from where the step began: velocities keep their digits
+/// in steps that are next to nothing beside the displacement.
 template <class Real>
 struct BeadMotion {
+  Vec2<Real> origin;
   Quintic<Real> x, z;
   Real begin, span;
-  BeadMotion(const BeadState<Real>& from, const BeadState<Real>& to, const Real& begin_, const Real& span_)
-      : x({from.q.x, from.v.x, from.a.x}, {to.q.x, to.v.x, to.a.x}, span_),
+  BeadMotion(const Vec2<Real>& origin_, const BeadState<Real>& from, const BeadState<Real>& to, const Real& begin_,
+             const Real& span_)
+      : origin(origin_), x({from.q.x, from.v.x, from.a.x}, {to.q.x, to.v.x, to.a.x}, span_),
         z({from.q.z, from.v.z, from.a.z}, {to.q.z, to.v.z, to.a.z}, span_), begin(begin_), span(span_) {}
   BeadState<Real> at(const Real& t) const {
     const Real s = (t - begin) / span;
     const Motion<Real> horizontal = x.at(s, span), vertical = z.at(s, span);
-    return {{horizontal.x, vertical.x}, {horizontal.u, vertical.u}, {horizontal.a, vertical.a}};
+    return {origin + Vec2<Real>{horizontal.x, vertical.x}, {horizontal.u, vertical.u}, {horizontal.a, vertical.a}};
   }
 };
 
@@ -61,7 +64,7 @@ class LatticeCluster {
   /// Of bead number `place` in the step: exact at its ends, else by Hermite's quintic.
   BeadState<Real> at(std::size_t place, const Real& t) const;
   BeadMotion<Real> motion(std::size_t place) const {
-    return {at_start(place), at_end(place), begin_, span_};
+    return {origin_[place], way(start_, start_slope_, place), way(end_, end_slope_, place), begin_, span_};
   }
   /// The largest overlap of contacts in the step, if above `known`; else `known`. owns(place): whether it still has
   /// that bead.
@@ -76,7 +79,8 @@ class LatticeCluster {
   /// From the step's begin to its end.
   PlateWork work() const requires(Ground::moves) { return {double(end_[works()]), double(end_[works() + 1])}; }
 
-  /// How long the next step may be, from experience.
+  /// How long the next step may be, from experience; and where this one is cut at t.
+  Real after_cut(const Real& t) const;
   const Real& next_span() const { return next_; }
   void expect(const Real& span) { next_ = span; }
   std::uint64_t work_done() const { return work_; }  ///< beads and contacts times evaluations so far
@@ -86,7 +90,7 @@ class LatticeCluster {
     std::uint32_t first, second;
     Neighbour<Real> with;
   };
-  /// x and z of the beads, then their velocities; on a plate the two works.
+  /// How far the beads have gone since the step began, x and z, then their velocities; on a plate the two works.
   using State = std::vector<Real>;
 
   std::size_t wall() const { return beads_.size(); }  ///< its slot; those of guests come after it
@@ -95,11 +99,14 @@ class LatticeCluster {
     const std::size_t at = 2 * (part * beads_.size() + place);
     return {y[at], y[at + 1]};
   }
-  BeadState<Real> state(const State& y, const State& dy, std::size_t place) const {
+  BeadState<Real> way(const State& y, const State& dy, std::size_t place) const {
     return {vector(y, 0, place), vector(y, 1, place), vector(dy, 1, place)};
   }
-  BeadState<Real> at_start(std::size_t place) const { return state(start_, start_slope_, place); }
-  BeadState<Real> at_end(std::size_t place) const { return state(end_, end_slope_, place); }
+  BeadState<Real> state(const State& y, const State& dy, std::size_t place) const {
+    BeadState<Real> state = way(y, dy, place);
+    state.q += origin_[place];
+    return state;
+  }
   BeadState<Real> slot_state(std::size_t slot, const Real& t) const;
   void slopes(const State& y, State& dy, const Real& at);
   void works_of_plate(State& dy, const Real& at) requires(Ground::moves);
@@ -118,6 +125,7 @@ class LatticeCluster {
   std::vector<Real> mass_;                ///< of the slots; of the wall 0
   std::vector<Real> K_, C_, C_t_, x_, u_, F_;  ///< of the contacts
   std::vector<Vec2<Real>> n_, w_;
+  std::vector<Vec2<Real>> origin_;        ///< displacements of the beads where the step begins
   std::vector<Vec2<Real>> q_, v_, f_;     ///< of the slots
   State start_, end_, start_slope_, end_slope_;
   Real begin_{}, span_{}, next_{};

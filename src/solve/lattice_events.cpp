@@ -18,7 +18,7 @@ Real smallest_overlap(const Lattice<Real>& lattice, double accuracy) {
 }
 
 /// Of slowest_, in closing overlaps a tc.
-constexpr double slow = 16.0;
+constexpr double slow = 1000.0;
 
 /// In contacts: how far from an event motions change at once; and the beads of a cluster that is moved as a whole.
 template <class Ground>
@@ -26,12 +26,12 @@ constexpr int reach = Ground::moves ? 1'000'000 : 3;
 template <class Ground>
 constexpr std::size_t most_whole = Ground::moves ? SIZE_MAX : 200;
 
-/// The interpolation of motions by quintics is off by (omega h)^6/46080 of an amplitude, a tenth; the fastest mode of
-/// a triangular lattice has omega^2 = 6 K/m. News past the reach are much less: in the time h of a step
-/// (1.5 K h^2)^4/8! of it.
+/// Between the ends of a step of length h motions are interpolated by quintics, whose velocities are off by up to
+/// 1.6e-4 omega (omega h)^5 of an amplitude, a tenth; the fastest mode of a triangular lattice has omega^2 = 6 K/m. News
+/// past the reach are much less: (1.5 K h^2)^4/8! of it.
 double longest_step(double accuracy) {
   const double fastest_mode = std::sqrt(3.0) * std::numbers::pi;
-  return std::min(0.08, std::pow(4.6e5 * accuracy, 1.0 / 6.0) / fastest_mode);
+  return std::min(0.08, std::pow(1e4 * accuracy, 0.2) / fastest_mode);
 }
 /// Guests whose motions are known no longer than this part of it join the cluster.
 constexpr double too_short = 0.05;
@@ -134,10 +134,7 @@ void LatticeEvents<Real, Ground>::gather_near(std::vector<std::uint32_t> layer, 
     if (id >= 0 && clusters_[std::size_t(id)].whole) return gather_cluster(std::size_t(id), t, placed);
     const BeadState<Real> state = at(bead, t);
     Real span = never;
-    if (id >= 0) {
-      const Cluster& cluster = *clusters_[std::size_t(id)].cluster;
-      span = std::max(Real(2 * (t - cluster.begin())), Real(1e-3 * longest_));
-    }
+    if (id >= 0) span = clusters_[std::size_t(id)].cluster->after_cut(t);
     mark_[bead] = marks_;
     placed.push_back({bead, state.q, state.v, span});
   };

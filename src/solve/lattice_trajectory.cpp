@@ -1,24 +1,18 @@
 #include "lattice_trajectory.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include "lattice_samples.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/solve/lattice.hpp"
 
 namespace sigmasweep {
 namespace {
 
-/// What the solver's units are in SI; its clock starts with the fall.
-struct Units {
-  double time, length;  ///< s, m
-};
-
-Units units_of(const Parameters& p) { return {p.tc, p.v0 * p.tc}; }
-
+/// The clock starts with the fall, or with the plate's motion.
 void watch(const Parameters& p, const Lattice<double>& lattice, LatticeSamples& samples) {
-  if (p.geometry != Geometry::lattice) throw std::invalid_argument("vibrated lattices are not recorded");
+  if (is_vibrated(p)) return watch_vibrated_lattice(p, samples);
   if (p.integrator == Integrator::exact) return watch_lattice(lattice, samples);
   watch_fixed_step_lattice(lattice, p.integrator, 1.0 / p.steps_per_tc, samples);
 }
@@ -27,29 +21,32 @@ void watch(const Parameters& p, const Lattice<double>& lattice, LatticeSamples& 
 
 Trajectory record_lattice(const Parameters& p, std::span<const double> times) {
   const auto lattice = reduced_lattice<double>(p);
-  const Units units = units_of(p);
+  const double time = p.tc, length = p.v0 * p.tc;  // of the solvers' units
   std::vector<double> reduced;
-  for (const double t : times) reduced.push_back(t / units.time);
+  for (const double t : times) reduced.push_back(t / time);
   LatticeSamples samples(std::move(reduced), lattice.count());
   watch(p, lattice, samples);
 
   Trajectory t;
   t.time.assign(times.begin(), times.end());
-  t.box_width = units.length * lattice.width();
+  t.box_width = length * lattice.width();
   t.periodic = lattice.periodic;
   for (std::size_t i = 0; i < lattice.count(); ++i) {
     t.mass.push_back(lattice.mass(i));
     t.diameter.push_back(p.d * std::cbrt(t.mass[i]));
   }
-  for (std::size_t s = 0; s < times.size(); ++s)
+  for (std::size_t s = 0; s < times.size(); ++s) {
+    const double plate = is_vibrated(p) ? plate_height(p, times[s]) : 0.0;
+    const double plate_velocity = is_vibrated(p) ? plate_speed(p, times[s]) : 0.0;
     for (std::size_t i = 0; i < lattice.count(); ++i) {
-      const Vec2<double> r = units.length * (lattice.site(i) + samples.q(s)[i]);
-      const Vec2<double> v = (units.length / units.time) * samples.v(s)[i];
+      const Vec2<double> r = length * (lattice.site(i) + samples.q(s)[i]);
+      const Vec2<double> v = (length / time) * samples.v(s)[i];
       t.x.push_back(r.x);
-      t.z.push_back(r.z);
+      t.z.push_back(r.z + plate);
       t.x_velocity.push_back(v.x);
-      t.velocity.push_back(v.z);
+      t.velocity.push_back(v.z + plate_velocity);
     }
+  }
   return t;
 }
 

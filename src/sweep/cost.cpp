@@ -40,9 +40,9 @@ constexpr std::array<Step, 4> steps{{{0.0, 0.0}, {20e-9, 5e-9}, {20e-9, 2e-9}, {
 /// A lattice: what is in contact is moved by steps, in all directions; what flies costs nothing but with fixed steps.
 /// Guesses so far.
 struct LatticeCoefficients {
-  double bead = 5e-6;        ///< exact: a step of a bead in contact
-  double wave = 60.0;        ///< exact: such steps, each bead, in the wave through the touching lattice
-  double later = 40.0;       ///< exact: the same in later contacts, for sigma of 1 and above
+  double bead = 200e-6;      ///< exact: a contact, in two runs
+  double wave = 11.0;        ///< exact: contacts of a bead in the wave through the touching lattice
+  double later = 8.0;        ///< exact: later contacts of a bead, for sigma of 1 and above
   double fixed_bead = 40e-9; ///< fixed step: a bead, each evaluation of the forces
   double wave_row = 3.0;     ///< fixed step: duration of the wave in tc, each row
   double least = 30.0;       ///< fixed step: duration in tc, beside wave and the quiet time at the end, 2 N sigma

@@ -45,8 +45,6 @@ std::vector<std::uint64_t> chosen_rows(const Entry& table, const Entry* where, c
   for (std::uint64_t k = 0; k < sweep.size(); ++k) {
     row.parameters = sweep.at(k);
     if (condition && !(*condition)(row)) continue;
-    if (row.parameters.geometry == Geometry::vibrated_lattice)
-      refuse(table, "there are no trajectories of geometry = 'vibrated-lattice'");
     if (rows.size() == TrajectorySpec::most_files) too_many(*where, TrajectorySpec::most_files, "too many rows");
     rows.push_back(k);
   }

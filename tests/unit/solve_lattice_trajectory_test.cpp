@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/solve/trajectory.hpp"
 
@@ -248,10 +248,25 @@ TEST(LatticeTrajectory, ShowTime) {
   EXPECT_NEAR(show_time(p, c), (3 + 3 * 4 * 4) * tc, 1e-13 * tc);  // 3 rows (1 + sigma)
 }
 
-TEST(LatticeTrajectory, NotOfVibratedLattices) {
-  Parameters p = lattice(0.0);
+/// In the room: the beads start with the plate's speed, and their mean height is that of the table.
+TEST(LatticeTrajectory, OfAVibratedLattice) {
+  Parameters p = lattice(0.1);
   p.geometry = Geometry::vibrated_lattice;
-  EXPECT_THROW(filmed(p, 1e-3, 2), std::invalid_argument);
+  p.tc = 5e-4;
+  p.frequency = 20.0;
+  p.alpha = 2.0;
+  p.periods = 1;
+  p.transient = 0;
+  p = complete(p, Gap::s0);
+  const Collision c = simulate(p);
+  ASSERT_EQ(c.status, Status::ok);
+  std::vector<double> times{0.0};  // and the moments of the averages
+  for (int s = 0; s < 256; ++s) times.push_back((s + 0.5) / 256.0 / p.frequency);
+  const Trajectory t = record(p, times);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < t.beads(); ++i) EXPECT_NEAR(t.velocity[i], plate_speed(p, 0.0), 1e-12);
+  for (std::size_t k = t.beads(); k < t.z.size(); ++k) sum += t.z[k];
+  EXPECT_NEAR(sum / double(t.z.size() - t.beads()), c.vibration.h_cm, 1e-9 * p.d);
 }
 
 }  // namespace

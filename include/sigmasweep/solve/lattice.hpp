@@ -77,7 +77,9 @@ struct LatticeOptions {
 
 /// The default integrator: beads in no contact fly, clusters of beads that touch are moved by DOP853 each on its own,
 /// and every contact's closing and opening is located. Nothing costs time but contacts.
-/// End::quiet with a gap, else separated or settled. Real: double or long double.
+/// End::quiet where quiet_time() > 0. Else separated, when nothing touches and none of those within 0.6 d of each other
+/// or of a wall approach (what drifts sideways to a wall further away does not count), or settled, when these can lose
+/// next to nothing; that is also the end of overdamped beads that creep. Real: double or long double.
 template <class Real>
 LatticeOutcome<Real> lattice_collision(const Lattice<Real>& lattice, const LatticeOptions& options = {});
 

@@ -38,8 +38,7 @@ struct Trajectory {
 /// goes on to the last of the times where simulate() stops once nothing of interest can happen, and its numbers are
 /// doubles, without an error bar. The exact solver and hard spheres are exact to rounding (chaotic columns as far as
 /// doubles carry), that of lattices to a local error of 1e-12; between steps of a fixed-step scheme there is cubic
-/// interpolation for z, linear for the velocity. NaN from where the solver gave up. Throws std::invalid_argument for
-/// vibrated lattices.
+/// interpolation for z, linear for the velocity. NaN from where the solver gave up.
 Trajectory record(const Parameters& parameters, std::span<const double> times);
 
 /// 1.5 times from the start to the last contact with the wall that `collision`, the result of simulate(), reports: long
