@@ -15,7 +15,7 @@ namespace sigmasweep {
 namespace {
 
 constexpr std::int64_t max_beads = 1'000'000, max_periods = 10'000'000;
-constexpr double max_alpha = 1e6;
+constexpr double max_alpha = 1e6, most_flight = 1e9;
 
 std::string refuse(std::string_view name, double value, std::string_view allowed) {
   return fmt::format("{} = {} is not allowed: it must be {}.", name, value, allowed);
@@ -49,6 +49,9 @@ std::string why_lattice_invalid(const Parameters& p) {
     return fmt::format("N = {} is not allowed: a lattice has rows times columns = {}.", p.N, p.rows * p.columns);
   if (p.method == Method::ed)
     return "method = 'ed' is not allowed for a lattice: hard spheres are for columns.";
+  if (!is_vibrated(p) && p.sigma * static_cast<double>(p.rows) > most_flight)
+    return fmt::format("sigma = {} is not allowed with rows = {}: positions would lose their digits where sigma rows is "
+                       "above {}.", p.sigma, p.rows, most_flight);
   if (!not_negative(p.D_t)) return refuse("D_t", p.D_t, "finite and >= 0 1/s");
   return {};
 }

@@ -9,15 +9,28 @@
 namespace sigmasweep {
 namespace {
 
+/// What rounding leaves open of positions after long flights, in units of the length.
+template <class Real>
+Real rounding(const Lattice<Real>& lattice) {
+  const Column<Real>& beads = lattice.beads;
+  const Real flight = beads.gap * Real(double(lattice.rows)) / (beads.speed * beads.tc);
+  return 16 * std::numeric_limits<Real>::epsilon() * flight;
+}
+
+/// smallest_overlap() where nothing flies far.
+template <class Real>
+Real least_overlap(const Lattice<Real>& lattice, double accuracy) {
+  const Real unit = lattice.beads.speed * lattice.beads.tc;
+  return std::max(Real(0.01 * accuracy), 4096 * std::numeric_limits<Real>::epsilon()) * unit;
+}
 /// The overlap at which a gap counts as closed: the force that is left out is below the accuracy. Not less than what
 /// rounding makes of positions, so that beads that lie side by side do not open and close for ever.
 template <class Real>
 Real smallest_overlap(const Lattice<Real>& lattice, double accuracy) {
-  const Real unit = lattice.beads.speed * lattice.beads.tc, extent = lattice.beads.gap * Real(double(lattice.rows));
-  return std::max(Real(0.01 * accuracy) * unit, std::numeric_limits<Real>::epsilon() * (4096 * unit + 16 * extent));
+  return least_overlap(lattice, accuracy) + rounding(lattice) * lattice.beads.speed * lattice.beads.tc;
 }
 
-/// Of slowest_, in closing overlaps a tc.
+/// Of slowest_, in least overlaps a tc.
 constexpr double slow = 1000.0;
 
 /// In contacts: how far from an event motions change at once; and the beads of a cluster that is moved as a whole.
@@ -46,12 +59,13 @@ LatticeEvents<Real, Ground>::LatticeEvents(const Lattice<Real>& lattice, const L
       ground_(ground),
       neighbours_(lattice),
       closing_overlap_(smallest_overlap(lattice, options.accuracy)),
-      slowest_(Real(slow) * closing_overlap_ / lattice.beads.tc),
+      slowest_(Real(slow) * least_overlap(lattice, options.accuracy) / lattice.beads.tc),
       longest_(Real(longest_step(options.accuracy)) * lattice.beads.tc),
       beads_(lattice.count()),
       touching_(lattice.count()),
       mark_(lattice.count()),
       slot_(lattice.count()) {
+  options_.accuracy = std::max(options.accuracy, double(rounding(lattice)) / 8.0);  // steps cannot do better
   if (options_.event_limit == 0) options_.event_limit = 100'000 + 1'000 * lattice.count();
   if (options_.work_limit == 0) options_.work_limit = 10'000'000'000 + 20'000'000 * lattice.count();
   for (std::size_t i = 0; i < beads_.size(); ++i) {
@@ -120,6 +134,8 @@ void LatticeEvents<Real, Ground>::gather_cluster(std::size_t id, const Real& t, 
     mark_[i] = marks_;
     placed.push_back({i, state.q, state.v, cluster.next_span()});
   }
+  work_ += cluster.work_done() - held.counted;
+  held.counted = cluster.work_done();
   held.in_use = false;
   ++held.version;
   free_clusters_.push_back(id);
@@ -169,9 +185,10 @@ bool LatticeEvents<Real, Ground>::locate(Real& t, std::size_t i, const Neighbour
     const Motion<Real> now = gap(i, other, t);
     const Real distance = opens ? Real(-now.x) : Real(now.x + closing_overlap_), rate = opens ? Real(-now.u) : now.u;
     if (fabs(distance) <= Real(0.1) * closing_overlap_) return true;
+    if (!(rate < 0)) return distance <= 0;  // too late for Newton, or a miss
     const Real next = std::max(Real(t - distance / rate), earliest);
     if (fabs(next - t) <= 4 * std::numeric_limits<Real>::epsilon() * t) return true;
-    if (!(rate < 0) || !(next <= latest)) return false;
+    if (!(next <= latest)) return false;
     t = next;
   }
   return true;
@@ -269,7 +286,8 @@ void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> g
         if (std::ranges::find(guests, other.bead) == guests.end()) {
           const Bead& guest = beads_[other.bead];
           guests.push_back(other.bead);
-          slot_[other.bead] = cluster.add_guest(other.bead, clusters_[std::size_t(guest.cluster)].cluster->motion(guest.place));
+          const Cluster& home = *clusters_[std::size_t(guest.cluster)].cluster;
+          slot_[other.bead] = cluster.add_guest(other.bead, home.motion(guest.place));
           longest = std::min(longest, Real(until(other.bead) - t));
         }
         cluster.add_contact(slot_[i], slot_[other.bead], other);
@@ -279,9 +297,7 @@ void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> g
   if (!held.whole) longest = std::min(longest, longest_);
   if (span < never) cluster.expect(span);
   ++held.version;
-  const std::uint64_t before = cluster.work_done();
   if (!cluster.step(t, longest)) lost_ = true;
-  work_ += cluster.work_done() - before;
   queue_.push({cluster.end(), Kind::step, 0, std::uint32_t(id), 0, held.version, 0});
 }
 
@@ -315,6 +331,7 @@ void LatticeEvents<Real, Ground>::handle(const Event& event) {
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::begin_anew(const Real& t) {
   ++marks_;
+  work_ += beads_.size();
   queue_ = {};
   std::vector<Placed> placed;
   for (std::size_t id = 0; id < clusters_.size(); ++id)

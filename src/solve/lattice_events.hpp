@@ -76,6 +76,7 @@ class LatticeEvents {
   struct Held {
     std::unique_ptr<Cluster> cluster;
     std::uint32_t version = 0;
+    std::uint64_t counted = 0;  ///< of its work
     bool in_use = false, whole = false;  ///< whole: has no guests and is small
   };
   struct Placed {
@@ -115,8 +116,9 @@ class LatticeEvents {
   void renew_list(std::size_t i, const Real& t);
   std::size_t new_cluster();
   void begin_anew(const Real& t);
-  Real approach() const;
-  Real held() const;
+  Real approach();
+  Real held();
+  Real later_change(const Real& loss) const;
   double energy(const Real& t) const requires(Ground::moves);
   void handle_next();
   Status why_stop();

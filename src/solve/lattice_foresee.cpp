@@ -7,10 +7,11 @@
 namespace sigmasweep {
 namespace {
 
-/// Beads that meet more slowly than `slowest_`, and in the time foreseen not deeper than so many closing overlaps, go
-/// on as if they did not: rounding moves beads that lie side by side that fast, and a row of them without gaps would be
-/// at it for ever. It is next to no energy.
-constexpr double shallow = 1000.0;
+/// Beads that meet more slowly than `slowest_` do not touch before they overlap by so many closing overlaps: rounding
+/// moves beads that lie side by side that fast, and a row of them without gaps would be at it for ever. It is next to no
+/// energy: of the order of the accuracy. On a plate, where beads press against each other that slowly, it is less.
+template <class Ground>
+constexpr double shallow = Ground::moves ? 1e3 : 1e6;
 
 }  // namespace
 
@@ -78,19 +79,26 @@ Real LatticeEvents<Real, Ground>::meeting_in_flight(std::size_t i, const Neighbo
   using std::sqrt;
   const BeadState<Real> me = at(i, t);
   if (other.is_wall()) {
-    const Real gap = other.bond.gap(me.q) + closing_overlap_, rate = dot(other.bond.R, me.v);
+    const Real gap = other.bond.gap(me.q), rate = dot(other.bond.R, me.v);
     if constexpr (Ground::moves)
-      if (other.bead == Neighbour<Real>::bottom) return t + ground_.landing({-gap, -rate}, double(t));
-    return rate < -slowest_ ? t + std::max(gap, Real(0)) / -rate : never;
+      if (other.bead == Neighbour<Real>::bottom)
+        return t + ground_.landing({-(gap + closing_overlap_), -rate}, double(t));
+    const Real overlap = rate < -slowest_ ? closing_overlap_ : Real(shallow<Ground>) * closing_overlap_;
+    return rate < 0 ? t + std::max(Real(gap + overlap), Real(0)) / -rate : never;
   }
   const BeadState<Real> you = at(other.bead, t);
   const Vec2<Real> q = me.q - you.q, r = other.bond.R + q, w = me.v - you.v;
   const Real b = dot(r, w);
   if (!(b < 0)) return never;
-  const Real gap = std::max(Real(other.bond.gap(q) + closing_overlap_), Real(0)), distance = sqrt(dot(r, r));
-  const Real c = gap * (2 * distance - gap), discriminant = b * b - dot(w, w) * c;
-  // At the meeting the square root is d_ij times the rate.
-  return discriminant > slowest_ * slowest_ * distance * distance ? t + c / (sqrt(discriminant) - b) : never;
+  const Real distance = sqrt(dot(r, r)), open = other.bond.gap(q);
+  const auto meeting = [&](const Real& overlap, const Real& slowest) {
+    const Real gap = std::max(Real(open + overlap), Real(0));
+    const Real c = gap * (2 * distance - gap), discriminant = b * b - dot(w, w) * c;
+    // At the meeting the square root is d_ij times the rate.
+    return discriminant > slowest * slowest * distance * distance ? t + c / (sqrt(discriminant) - b) : never;
+  };
+  const Real soon = meeting(closing_overlap_, slowest_);
+  return soon < never ? soon : meeting(Real(shallow<Ground>) * closing_overlap_, Real(0));
 }
 
 /// The same where a cluster moves one of them, from t to a time until which both motions are known.
@@ -105,7 +113,7 @@ Real LatticeEvents<Real, Ground>::meeting_of_motions(std::size_t i, const Neighb
   if (Quintic<Real>::stays_positive(from, to, span)) return never;
   const Quintic<Real> gap(from, to, span);
   const auto when = FirstRoot<Real, 5>::find(gap.c, Real(1));
-  if (!when || (gap.at(*when, span).u > -slowest_ && to.x > -shallow * closing_overlap_)) return never;
+  if (!when || (gap.at(*when, span).u > -slowest_ && to.x - shift > -Real(shallow<Ground>) * closing_overlap_)) return never;
   return t + *when * span;
 }
 

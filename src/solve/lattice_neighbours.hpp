@@ -79,7 +79,7 @@ struct Neighbour {
   Neighbour seen_from_there(std::uint32_t me) const { return {me, -image, {-bond.R, bond.length, bond.gap0}}; }
 };
 
-/// Whom each bead may touch, while it stays within `leeway()` of where it was when its list was made: see moved().
+/// Whom each bead may touch, while it stays within `leeway()` of where it was when its list was made: see move().
 /// Lists are mutual. Beads without walls or others in reach have empty lists. Memory is linear in the beads.
 template <class Real>
 class LatticeNeighbours {

@@ -29,7 +29,8 @@ Status LatticeEvents<Real, Ground>::why_stop() {
 
 /// What pairs that approach, nothing touching, can lose: the sum of 1/2 m_red u^2.
 template <class Real, class Ground>
-Real LatticeEvents<Real, Ground>::approach() const {
+Real LatticeEvents<Real, Ground>::approach() {
+  work_ += beads_.size();
   Real sum = 0;
   for (std::size_t i = 0; i < beads_.size(); ++i)
     for (const Neighbour<Real>& other : neighbours_.of(i)) {
@@ -71,8 +72,6 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
   constexpr double longest_clock = 64.0;
   const Column<Real>& beads = lattice_.beads;
   const Real quiet = lattice_.quiet_time(), patience = std::max(quiet, Real(creeping) * beads.tc);
-  Real energy = 0;
-  for (std::size_t i = 0; i < beads_.size(); ++i) energy += lattice_.mass(i) * beads.speed * beads.speed / 2;
   begin_anew(Real(0));
   LatticeOutcome<Real> outcome;
   while (outcome.end == End::none && (outcome.status = why_stop()) == Status::ok) {
@@ -84,13 +83,18 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
       outcome.end = End::quiet;
       break;
     } else if (closed_ == 0 && quiet == Real(0) && contacts_ > 0) {
-      outcome.remainder = approach() / energy;
-      if (outcome.remainder <= Real(options_.settle))
-        outcome.end = outcome.remainder == Real(0) ? End::separated : End::settled;
+      const Real change = later_change(approach());
+      if (change <= Real(options_.settle)) {
+        outcome.remainder = change;
+        outcome.end = change == Real(0) ? End::separated : End::settled;
+      }
     } else if (closed_ > 0 && epoch_ + now_ > last_change_ + patience) {
-      outcome.remainder = (held() + (quiet > 0 ? Real(0) : approach())) / energy;
-      if (outcome.remainder <= Real(options_.settle)) outcome.end = End::settled;
-      else last_change_ = epoch_ + now_;
+      const Real change = later_change(held() + (quiet > 0 ? Real(0) : approach()));
+      if (change <= Real(options_.settle)) {
+        outcome.remainder = change;
+        outcome.end = End::settled;
+      }
+      last_change_ = epoch_ + now_;
     }
     if (queue_.empty()) {
       outcome.end = End::separated;
@@ -103,6 +107,9 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
     }
   }
   for (std::size_t i = 0; i < beads_.size(); ++i) outcome.velocity.push_back(at(i, now_).v);
+  for (const auto& touching : touching_)
+    for (const Neighbour<Real>& other : touching)
+      if (other.bead == Neighbour<Real>::bottom) wall_opened_ = epoch_ + now_;  // it is still closed
   outcome.t_k = wall_closed_ < 0 ? Real(0) : wall_opened_ - wall_closed_;
   outcome.x_max = x_max_;
   outcome.contacts = contacts_;
@@ -111,14 +118,31 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
 
 /// What pairs that touch can lose: overdamped ones creep back for ever.
 template <class Real, class Ground>
-Real LatticeEvents<Real, Ground>::held() const {
+Real LatticeEvents<Real, Ground>::held() {
+  using std::pow;
+  work_ += beads_.size();
+  const Real power = Real(2.0 + lattice_.beads.exponents.beta), K = std::max(lattice_.beads.K, lattice_.beads.K_wall);
   Real sum = 0;
   for (std::size_t i = 0; i < beads_.size(); ++i)
     for (const Neighbour<Real>& other : touching_[i]) {
       const Motion<Real> now = gap(i, other, now_);
-      sum += lattice_.mass(i) * now.u * now.u / 2 + lattice_.beads.K * now.x * now.x / 2;
+      sum += lattice_.mass(i) * now.u * now.u / 2 + K * Real(pow(std::max(Real(-now.x), Real(0)), power)) / power;
     }
   return sum;
+}
+
+/// What a loss of energy would change eps_eff = sqrt(E/E_0) by.
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::later_change(const Real& loss) const {
+  using std::sqrt;
+  Real mass = 0, energy = 0;
+  for (std::size_t i = 0; i < beads_.size(); ++i) {
+    const Vec2<Real> v = at(i, now_).v;
+    mass += lattice_.mass(i) / 2;
+    energy += lattice_.mass(i) * dot(v, v) / 2;
+  }
+  const Real left = std::max(Real(energy - loss), Real(0)), speed = lattice_.beads.speed;
+  return loss == Real(0) ? Real(0) : Real(std::min(loss, energy) / (sqrt(mass) * speed * (sqrt(energy) + sqrt(left))));
 }
 
 /// As energy_on_plate() of a column; of gravity 0 for beads on their sites.

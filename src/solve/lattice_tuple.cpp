@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "in_si.hpp"
 #include "sigmasweep/solve/lattice.hpp"
@@ -30,8 +31,11 @@ Collision pair_of_runs(const Parameters& p, const LatticeOptions& options) {
   const LatticeOutcome<Real> other = lattice_collision(lattice, coarse);
   const double difference =
       other.status == Status::ok ? std::fabs(eps_eff(lattice, other) - eps_eff(lattice, outcome)) : 1.0;
+  // Both runs have the same positions after long flights, and what these cannot resolve does not differ.
+  const double unresolved = 16.0 * double(std::numeric_limits<Real>::epsilon()) * p.sigma * double(p.rows);
   const double from_nothing = std::max(c.eps_eff - 1.0, 0.0);
-  c.eps_eff_error = twin_error(c, difference, options.accuracy, double(outcome.remainder)) + from_nothing;
+  c.eps_eff_error =
+      twin_error(c, difference, options.accuracy, double(outcome.remainder)) + unresolved + from_nothing;
   return c;
 }
 
@@ -40,7 +44,8 @@ constexpr double coarsest = 1e-8;
 
 Collision exact(const Parameters& p, Patience* patience) {
   return to_tolerance(p.tolerance, [&]<class Real>(double accuracy) {
-    return pair_of_runs<Real>(p, {.accuracy = std::min(accuracy, coarsest), .settle = 1e-3 * p.tolerance, .patience = patience});
+    return pair_of_runs<Real>(
+        p, {.accuracy = std::min(accuracy, coarsest), .settle = 1e-3 * p.tolerance, .patience = patience});
   });
 }
 
@@ -51,7 +56,8 @@ Collision by_fixed_steps(const Parameters& p, Patience* patience) {
                                                                 {.patience = patience}));
   if (c.status != Status::ok) return c;
   const Collision reference = exact(p, patience);
-  c.eps_eff_error = std::fabs(c.eps_eff - reference.eps_eff) + reference.eps_eff_error;
+  const double error = std::fabs(c.eps_eff - reference.eps_eff) + reference.eps_eff_error;
+  c.eps_eff_error = error <= 1.0 ? error : 1.0;  // also where there is no reference
   return c;
 }
 

@@ -1,11 +1,13 @@
 #include "lattice_vibrated.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "lattice_fixed_step_vibrated.hpp"
 #include "lattice_samples.hpp"
 #include "lattice_statistics.hpp"
 #include "sigmasweep/solve/vibrated.hpp"
+#include "vibrated_result.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -17,10 +19,11 @@ LatticeOutcome<double> follow(const Parameters& p, const Lattice<double>& lattic
   const Plate plate = Plate::of(p, vibration_units(p));
   if (p.integrator != Integrator::exact)
     return fixed_step_vibrated_lattice(lattice, plate, p.integrator, 1.0 / p.steps_per_tc, watcher, patience);
+  constexpr double most = 1e19;
   const auto N = static_cast<double>(p.N);
   const LatticeOptions options{.accuracy = 1e-10 * plate.A0 * plate.omega,  // of the plate's speed, not of v0
-                               .event_limit = static_cast<std::uint64_t>(periods * 1e5 * N),
-                               .work_limit = static_cast<std::uint64_t>(periods * (1e9 + 1e7 * N)),
+                               .event_limit = static_cast<std::uint64_t>(std::min(periods * 1e5 * N, most)),
+                               .work_limit = static_cast<std::uint64_t>(std::min(periods * (1e9 + 1e7 * N), most)),
                                .patience = patience};
   return follow_lattice(lattice, plate, options, watcher);
 }
@@ -32,14 +35,7 @@ Collision simulate_vibrated_lattice(const Parameters& p, Patience* patience) {
   const auto lattice = reduced_lattice<double>(p);
   LatticeStatistics statistics(p, lattice, Plate::of(p, units), units);
   const LatticeOutcome<double> outcome = follow(p, lattice, static_cast<double>(p.periods), statistics, patience);
-  Collision c;
-  c.contacts = outcome.contacts;
-  c.end = outcome.end;
-  c.status = outcome.status;
-  if (c.status != Status::ok) return c;
-  c.x_max = outcome.x_max * units.length;
-  c.vibration = statistics.result();
-  return c;
+  return vibrated_result(outcome, statistics, units);
 }
 
 void watch_vibrated_lattice(const Parameters& p, LatticeSamples& samples) {

@@ -6,6 +6,7 @@
 #include "sigmasweep/solve/stability.hpp"
 #include "sigmasweep/solve/vibrated.hpp"
 #include "vibrated_fixed_step.hpp"
+#include "vibrated_result.hpp"
 #include "vibration_statistics.hpp"
 
 namespace sigmasweep {
@@ -47,15 +48,9 @@ Collision simulate_vibrated_soft_spheres(const Parameters& p, Patience* patience
   ExactOptions options = limits(p, static_cast<double>(p.periods));
   options.patience = patience;
   const Outcome<double> outcome = follow(p, column, options, statistics);
-  Collision c;
+  Collision c = vibrated_result(outcome, statistics, units);
   if (p.integrator != Integrator::exact)
     c.predicted_growth = predicted_growth(column, p.integrator, 1.0 / p.steps_per_tc);
-  c.contacts = outcome.contacts;
-  c.end = outcome.end;
-  c.status = outcome.status;
-  if (c.status != Status::ok) return c;
-  c.x_max = outcome.x_max * units.length;
-  c.vibration = statistics.result();
   return c;
 }
 

@@ -9,9 +9,9 @@ namespace sigmasweep {
 
 /// Draws how the beads of vibrated lattices circulate: for each lattice and each quarter of the plate's period the mean
 /// velocities in cells of about one diameter, over all periods but the first third (or the transient, if that is less),
-/// in the frame of the plate and relative to the beads' mean velocity. Written below: what the longest arrow is, and the
-/// mean curl in the left and in the right half, 1/s: a pair of convection rolls that goes up in the middle has
-/// left > 0 > right. `differ`, `path` and errors as of plot_trajectories(); UsageError for what does not vibrate.
+/// in the frame of the plate and vertically relative to the mean at that height. Written below: what the longest arrow
+/// is, and the mean curl in the left and in the right half, 1/s: a pair of convection rolls that goes up in the middle
+/// has left > 0 > right. `differ`, `path` and errors as of plot_trajectories(); UsageError for what does not vibrate.
 void plot_velocity_fields(std::span<const Panel> panels, std::span<const std::string> differ, const std::string& title,
                           const std::string& path);
 

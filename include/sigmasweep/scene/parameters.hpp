@@ -39,9 +39,9 @@ enum class EdRule : std::uint8_t { lrv, tc };
 enum class Flag : std::uint8_t { no, yes };
 
 /// Everything that defines one collision of a column of N beads with a fixed wall, or one run of a vibrated column, or
-/// of a lattice instead. SI units. A plain value of fixed size: it is sent between ranks as it is. Stiffness and damping are given by (tc,
-/// epsilon), by (K_over_m, D_n) or by the material; s0 and sigma = s0/(v0 tc) are kept together, as are alpha and A0.
-/// complete() fills in the rest.
+/// of a lattice instead. SI units. A plain value of fixed size: it is sent between ranks as it is. Stiffness and damping
+/// are given by (tc, epsilon), by (K_over_m, D_n) or by the material; s0 and sigma = s0/(v0 tc) are kept together, as
+/// are alpha and A0. complete() fills in the rest.
 struct Parameters {
   double v0 = 1.0;             ///< approach speed of the column, m/s
   double tc = 1e-5;            ///< contact time of a pair at v0, s: Eq. (6); of laws that are not linear Eq. (A2)

@@ -69,7 +69,7 @@ Energies<Real> energies(const Lattice<Real>& lattice, const std::vector<Vec2<Rea
 
 struct LatticeOptions {
   double accuracy = 1e-12;  ///< local error of a step, in units of the speed and of speed times tc
-  double settle = 1e-13;    ///< without a gap: stop once later collisions can hardly change eps_eff by more
+  double settle = 1e-13;    ///< stop once what approaches (without a gap) or creeps can hardly change eps_eff by more
   std::uint64_t event_limit = 0;  ///< contacts before giving up; 0: 100,000 + 1,000 N
   std::uint64_t work_limit = 0;   ///< beads and contacts moved in stages of steps; 0: 1e10 + 2e7 N, some minutes
   Patience* patience = nullptr;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "plate.hpp"
+#include "sigmasweep/scene/collision.hpp"
+
+namespace sigmasweep {
+
+/// What a run of soft spheres on a plate (of a column or a lattice) and the statistics of it are for the tuple.
+template <class AnyOutcome, class Statistics>
+Collision vibrated_result(const AnyOutcome& outcome, const Statistics& statistics, const VibrationUnits& units) {
+  Collision c;
+  c.contacts = outcome.contacts;
+  c.end = outcome.end;
+  c.status = outcome.status;
+  if (c.status != Status::ok) return c;
+  c.x_max = outcome.x_max * units.length;
+  c.vibration = statistics.result();
+  return c;
+}
+
+}  // namespace sigmasweep
