@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "lattice_neighbours.hpp"
@@ -18,6 +19,12 @@ Real Lattice<Real>::width() const {
 template <class Real>
 Real Lattice<Real>::quiet_time() const {
   return 2 * Real(double(count())) * (beads.gap + 2 * (largest - d)) / beads.speed;
+}
+
+template <class Real>
+Real Lattice<Real>::rounding() const {
+  const Real flight = beads.gap * Real(double(rows)) / (beads.speed * beads.tc);
+  return 16 * std::numeric_limits<Real>::epsilon() * flight;
 }
 
 template <class Real>

@@ -167,8 +167,10 @@ Real LatticeCluster<Real, Ground>::after_cut(const Real& t) const {
 
 template <class Real, class Ground>
 void LatticeCluster<Real, Ground>::cut(const Real& t) {
+  const Real span = std::max(Real(t - begin_), Real(0));
+  if (span == span_) return;  // it ends there
   if (t < end()) next_ = after_cut(t);
-  trial(std::max(Real(t - begin_), Real(0)));
+  trial(span);
 }
 
 template <class Real, class Ground>

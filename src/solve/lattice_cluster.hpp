@@ -52,7 +52,6 @@ class LatticeCluster {
   void add_contact(std::uint32_t first, std::uint32_t second, const Neighbour<Real>& with);
 
   const std::vector<std::uint32_t>& beads() const { return beads_; }
-  bool has_guests() const { return !guests_.empty(); }
 
   /// A step from the present state at time `begin`, not longer than `longest`. False if no step is small enough.
   bool step(const Real& begin, const Real& longest);

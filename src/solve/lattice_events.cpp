@@ -9,14 +9,6 @@
 namespace sigmasweep {
 namespace {
 
-/// What rounding leaves open of positions after long flights, in units of the length.
-template <class Real>
-Real rounding(const Lattice<Real>& lattice) {
-  const Column<Real>& beads = lattice.beads;
-  const Real flight = beads.gap * Real(double(lattice.rows)) / (beads.speed * beads.tc);
-  return 16 * std::numeric_limits<Real>::epsilon() * flight;
-}
-
 /// smallest_overlap() where nothing flies far.
 template <class Real>
 Real least_overlap(const Lattice<Real>& lattice, double accuracy) {
@@ -27,7 +19,7 @@ Real least_overlap(const Lattice<Real>& lattice, double accuracy) {
 /// rounding makes of positions, so that beads that lie side by side do not open and close for ever.
 template <class Real>
 Real smallest_overlap(const Lattice<Real>& lattice, double accuracy) {
-  return least_overlap(lattice, accuracy) + rounding(lattice) * lattice.beads.speed * lattice.beads.tc;
+  return least_overlap(lattice, accuracy) + lattice.rounding() * lattice.beads.speed * lattice.beads.tc;
 }
 
 /// Of slowest_, in least overlaps a tc.
@@ -65,7 +57,7 @@ LatticeEvents<Real, Ground>::LatticeEvents(const Lattice<Real>& lattice, const L
       touching_(lattice.count()),
       mark_(lattice.count()),
       slot_(lattice.count()) {
-  options_.accuracy = std::max(options.accuracy, double(rounding(lattice)) / 8.0);  // steps cannot do better
+  options_.accuracy = std::max(options.accuracy, double(lattice.rounding()) / 8.0);  // steps cannot do better
   if (options_.event_limit == 0) options_.event_limit = 100'000 + 1'000 * lattice.count();
   if (options_.work_limit == 0) options_.work_limit = 10'000'000'000 + 20'000'000 * lattice.count();
   for (std::size_t i = 0; i < beads_.size(); ++i) {
@@ -120,7 +112,7 @@ template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::gather_cluster(std::size_t id, const Real& t, std::vector<Placed>& placed) {
   Held& held = clusters_[id];
   Cluster& cluster = *held.cluster;
-  if (held.whole && cluster.end() != t) cluster.cut(t);
+  if (held.whole) cluster.cut(t);
   const auto owns = [&](std::size_t place) {
     const Bead& bead = beads_[cluster.beads()[place]];
     return bead.cluster == std::int32_t(id) && bead.place == place;

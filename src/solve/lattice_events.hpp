@@ -28,8 +28,8 @@ namespace sigmasweep {
 /// it at first: news travels from bead to bead, and what it does n beads away begins with the 2n-th power of the time.
 /// So the beads within `reach` contacts of the event become a cluster of their own, whose guests are the beads around
 /// it; all others keep the motions that are known of them. Their steps are short enough to let neither the news past
-/// the reach nor the interpolation of motions matter at the accuracy asked for. That is why the cost of an event does
-/// not depend on the number of beads.
+/// the reach nor the interpolation of motions matter at the accuracy asked for. So the work of an event does not grow
+/// with the cluster.
 ///
 /// Ground: a fixed bottom, or a container that vibrates under gravity, seen from it.
 template <class Real, class Ground = FixedWall>
@@ -47,7 +47,6 @@ class LatticeEvents {
  private:
   using Cluster = LatticeCluster<Real, Ground>;
   static constexpr Real never = std::numeric_limits<Real>::infinity();
-  static constexpr std::size_t nowhere = SIZE_MAX;
 
   struct Bead {
     Vec2<Real> q, v;          ///< in no contact: at time `since`

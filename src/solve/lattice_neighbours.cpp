@@ -15,11 +15,6 @@ std::int64_t whole(const Real& x) {
   return static_cast<std::int64_t>(floor(x));
 }
 
-template <class Real>
-bool is_same(const Neighbour<Real>& a, const Neighbour<Real>& b) {
-  return a.bead == b.bead && a.image == b.image;
-}
-
 }  // namespace
 
 template <class Real>
@@ -74,11 +69,8 @@ const std::vector<Neighbour<Real>>& LatticeNeighbours<Real>::move(std::size_t i,
   lists_[i] = find(i);
   fresh_.clear();
   for (const Neighbour<Real>& other : lists_[i]) {
-    if (!other.is_wall()) {
-      const auto me = static_cast<std::uint32_t>(i);
-      lists_[other.bead].push_back({me, -other.image, bond(other.bead, i, -other.image)});
-    }
-    if (std::ranges::none_of(before, [&](const Neighbour<Real>& old) { return is_same(old, other); }))
+    if (!other.is_wall()) lists_[other.bead].push_back(other.seen_from_there(static_cast<std::uint32_t>(i)));
+    if (std::ranges::none_of(before, [&](const Neighbour<Real>& old) { return old.is(other.bead, other.image); }))
       fresh_.push_back(other);
   }
   return fresh_;

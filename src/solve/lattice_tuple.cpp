@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "in_si.hpp"
 #include "sigmasweep/solve/lattice.hpp"
@@ -32,10 +31,9 @@ Collision pair_of_runs(const Parameters& p, const LatticeOptions& options) {
   const double difference =
       other.status == Status::ok ? std::fabs(eps_eff(lattice, other) - eps_eff(lattice, outcome)) : 1.0;
   // Both runs have the same positions after long flights, and what these cannot resolve does not differ.
-  const double unresolved = 16.0 * double(std::numeric_limits<Real>::epsilon()) * p.sigma * double(p.rows);
   const double from_nothing = std::max(c.eps_eff - 1.0, 0.0);
-  c.eps_eff_error =
-      twin_error(c, difference, options.accuracy, double(outcome.remainder)) + unresolved + from_nothing;
+  c.eps_eff_error = twin_error(c, difference, options.accuracy, double(outcome.remainder)) +
+                    double(lattice.rounding()) + from_nothing;
   return c;
 }
 

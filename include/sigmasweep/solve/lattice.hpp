@@ -38,6 +38,8 @@ struct Lattice {
   /// A collision is over when nothing has touched for 2 N s0/v0 (Sec. IV C); of beads that differ in size, whose gaps
   /// do, too, with s0 + width for s0. 0 where neither is: then it is over when nothing approaches.
   Real quiet_time() const;
+  /// What rounding leaves open of positions after the longest flight of the fall, in units of speed times tc.
+  Real rounding() const;
   /// Where the lattice has bead i, from the container's lower left corner. The lowest row is a gap above the bottom.
   Vec2<Real> site(std::size_t i) const;
 };
