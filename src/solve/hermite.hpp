@@ -9,6 +9,7 @@ namespace sigmasweep {
 template <class Real>
 struct Motion {
   Real x{}, u{}, a{};
+  Motion operator-() const { return {-x, -u, -a}; }
 };
 
 /// Hermite's polynomial of degree five in the fraction of a step of length h, with value, slope and curvature of both
@@ -42,5 +43,19 @@ struct Quintic {
            to.x - v1 >= 0 && to.x >= 0;
   }
 };
+
+/// The largest value between the ends of a step of length h, if above `known`; else `known`.
+template <class Real>
+Real largest_between(const Motion<Real>& from, const Motion<Real>& to, const Real& h, const Real& known) {
+  const Real largest = std::max({known, from.x, to.x});
+  if (!(from.u > 0) || !(to.u < 0) || std::max(from.x, to.x) + from.u * h <= largest) return largest;
+  const Quintic<Real> x(from, to, h);
+  Real low = 0, high = 1;
+  for (int i = 0; i < 20; ++i) {
+    const Real s = (low + high) / 2;
+    (x.at(s, h).u > 0 ? low : high) = s;
+  }
+  return std::max(largest, x.at(low, h).x);
+}
 
 }  // namespace sigmasweep

@@ -189,23 +189,7 @@ BeadState<Real> LatticeCluster<Real, Ground>::slot_state(std::size_t slot, const
 template <class Real, class Ground>
 Motion<Real> LatticeCluster<Real, Ground>::overlap(const Contact& contact, const Real& t) const {
   const BeadState<Real> one = slot_state(contact.first, t), other = slot_state(contact.second, t);
-  const Motion<Real> gap =
-      contact.with.bond.gap_of({one.q - other.q, one.v - other.v, one.a - other.a});
-  return {-gap.x, -gap.u, -gap.a};
-}
-
-template <class Real, class Ground>
-Real LatticeCluster<Real, Ground>::deepest_of(const Contact& c, const Real& known) const {
-  const Motion<Real> from = overlap(c, begin_), to = overlap(c, end());
-  const Real deepest = std::max({known, from.x, to.x});
-  if (!(from.u > 0) || !(to.u < 0) || std::max(from.x, to.x) + from.u * span_ <= deepest) return deepest;
-  const Quintic<Real> x(from, to, span_);
-  Real low = 0, high = 1;
-  for (int i = 0; i < 20; ++i) {
-    const Real s = (low + high) / 2;
-    (x.at(s, span_).u > 0 ? low : high) = s;
-  }
-  return std::max(deepest, x.at(low, span_).x);
+  return -contact.with.bond.gap_of({one.q - other.q, one.v - other.v, one.a - other.a});
 }
 
 template <class Real, class Ground>

@@ -70,7 +70,8 @@ class LatticeCluster {
   template <class Owns>
   Real deepest(Real known, Owns&& owns) const {
     for (const Contact& c : contacts_)
-      if (owns(c.first) && (c.second >= wall() || owns(c.second))) known = deepest_of(c, known);
+      if (owns(c.first) && (c.second >= wall() || owns(c.second)))
+        known = largest_between(overlap(c, begin_), overlap(c, end()), span_, known);
     return known;
   }
   /// The largest speed at the end.
@@ -111,7 +112,6 @@ class LatticeCluster {
   void works_of_plate(State& dy, const Real& at) requires(Ground::moves);
   Real trial(const Real& span);
   Motion<Real> overlap(const Contact& contact, const Real& t) const;
-  Real deepest_of(const Contact& contact, const Real& known) const;
 
   const Lattice<Real>& lattice_;
   Real accuracy_;

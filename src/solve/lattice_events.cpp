@@ -27,19 +27,28 @@ constexpr double slow = 1000.0;
 
 /// In contacts: how far from an event motions change at once; and the beads of a cluster that is moved as a whole.
 template <class Ground>
-constexpr int reach = Ground::moves ? 1'000'000 : 3;
+constexpr int reach = Ground::moves ? 1'000'000 : 2;
 template <class Ground>
-constexpr std::size_t most_whole = Ground::moves ? SIZE_MAX : 200;
+constexpr std::size_t most_whole = Ground::moves ? SIZE_MAX : 60;
 
 /// Between the ends of a step of length h motions are interpolated by quintics, whose velocities are off by up to
-/// 1.6e-4 omega (omega h)^5 of an amplitude, a tenth; the fastest mode of a triangular lattice has omega^2 = 6 K/m. News
-/// past the reach are much less: (1.5 K h^2)^4/8! of it.
-double longest_step(double accuracy) {
-  const double fastest_mode = std::sqrt(3.0) * std::numbers::pi;
-  return std::min(0.08, std::pow(1e4 * accuracy, 0.2) / fastest_mode);
+/// 1.6e-4 omega (omega h)^5 of an amplitude, a tenth; the fastest mode of a triangular lattice has omega^2 = 6 K/m, and
+/// 3 (pi/tc)^2 for what collides in tc. News past the reach are much less: with k = 1.5 K/m they change velocities by
+/// k^3 h^7/7! of the jump of an acceleration.
+template <class Real>
+Real longest_step(const Lattice<Real>& lattice, double accuracy) {
+  using std::sqrt;
+  const Column<Real>& beads = lattice.beads;
+  const Real lightest = beads.is_uniform() ? Real(1) : *std::ranges::min_element(beads.mass);
+  const Real squared = beads.exponents.linear() ? Real(6) * beads.K
+                                                : Real(3 * std::numbers::pi * std::numbers::pi) / (beads.tc * beads.tc);
+  const Real fastest_mode = sqrt(squared / lightest);
+  return Real(std::min(0.4, std::pow(1e4 * accuracy, 0.2))) / fastest_mode;
 }
-/// Guests whose motions are known no longer than this part of it join the cluster.
-constexpr double too_short = 0.05;
+/// Times closer to each other than this part of it are the same.
+constexpr double no_time = 1e-6;
+/// Large clusters without beads that are kept.
+constexpr std::size_t most_large = 4;
 
 }  // namespace
 
@@ -52,7 +61,7 @@ LatticeEvents<Real, Ground>::LatticeEvents(const Lattice<Real>& lattice, const L
       neighbours_(lattice),
       closing_overlap_(smallest_overlap(lattice, options.accuracy)),
       slowest_(Real(slow) * least_overlap(lattice, options.accuracy) / lattice.beads.tc),
-      longest_(Real(longest_step(options.accuracy)) * lattice.beads.tc),
+      longest_(longest_step(lattice, options.accuracy)),
       beads_(lattice.count()),
       touching_(lattice.count()),
       mark_(lattice.count()),
@@ -71,8 +80,16 @@ bool LatticeEvents<Real, Ground>::touches(std::size_t i, const Neighbour<Real>& 
   return std::ranges::any_of(touching_[i], [&](const Neighbour<Real>& n) { return n.is(other.bead, other.image); });
 }
 
+/// Up to t nothing closed or opened since the last time.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::count_contact_time(const Real& t) {
+  contact_time_ += Real(closed_) * (epoch_ + t - counted_to_);
+  counted_to_ = epoch_ + t;
+}
+
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::touch(std::size_t i, const Neighbour<Real>& other, const Real& t) {
+  count_contact_time(t);
   touching_[i].push_back(other);
   if (!other.is_wall()) touching_[other.bead].push_back(other.seen_from_there(static_cast<std::uint32_t>(i)));
   ++closed_;
@@ -85,6 +102,7 @@ void LatticeEvents<Real, Ground>::part(std::size_t i, const Neighbour<Real>& oth
   const auto forget = [this](std::size_t bead, std::uint32_t with, std::int32_t image) {
     std::erase_if(touching_[bead], [&](const Neighbour<Real>& n) { return n.is(with, image); });
   };
+  count_contact_time(t);
   forget(i, other.bead, other.image);
   if (!other.is_wall()) forget(other.bead, static_cast<std::uint32_t>(i), -other.image);
   --closed_;
@@ -93,17 +111,25 @@ void LatticeEvents<Real, Ground>::part(std::size_t i, const Neighbour<Real>& oth
   if (other.bead == Neighbour<Real>::bottom) wall_opened_ = epoch_ + t;
 }
 
+/// For a group of `count` beads. Large ones go round by themselves: small clusters need not their memory, and to ask for
+/// it anew at each beat takes longer than the beat.
 template <class Real, class Ground>
-std::size_t LatticeEvents<Real, Ground>::new_cluster() {
+std::size_t LatticeEvents<Real, Ground>::new_cluster(std::size_t count) {
   if (free_clusters_.empty()) {
     free_clusters_.push_back(clusters_.size());
     clusters_.emplace_back();
-    clusters_.back().cluster = std::make_unique<Cluster>(lattice_, Real(options_.accuracy), ground_);
   }
   const std::size_t id = free_clusters_.back();
   free_clusters_.pop_back();
-  clusters_[id].cluster->clear();
-  clusters_[id].in_use = true;
+  Held& held = clusters_[id];
+  if (count > most_whole<Ground> && !large_.empty()) {
+    held.cluster = std::move(large_.back());
+    large_.pop_back();
+  }
+  if (!held.cluster) held.cluster = std::make_unique<Cluster>(lattice_, Real(options_.accuracy), ground_);
+  held.cluster->clear();
+  held.counted = held.cluster->work_done();
+  held.in_use = true;
   return id;
 }
 
@@ -127,10 +153,27 @@ void LatticeEvents<Real, Ground>::gather_cluster(std::size_t id, const Real& t, 
     placed.push_back({i, state.q, state.v, cluster.next_span()});
   }
   work_ += cluster.work_done() - held.counted;
-  held.counted = cluster.work_done();
   held.in_use = false;
   ++held.version;
   free_clusters_.push_back(id);
+  if (cluster.beads().size() > most_whole<Ground>) {
+    if (large_.size() < most_large) large_.push_back(std::move(held.cluster));
+    held.cluster.reset();
+  }
+}
+
+/// x_max of bead i's contacts in a step that it will not end.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::note_overlaps(std::size_t i, const Real& t) {
+  const auto begin = [this, &t](std::size_t bead) {  // one that has just been touched may be in none
+    return beads_[bead].cluster < 0 ? t : clusters_[std::size_t(beads_[bead].cluster)].cluster->begin();
+  };
+  for (const Neighbour<Real>& other : touching_[i]) {
+    const Real from = other.is_wall() ? begin(i) : std::max(begin(i), begin(other.bead));
+    if (!(from < t)) continue;
+    const Motion<Real> now = gap(i, other, t);
+    if (now.u > 0) x_max_ = largest_between(-gap(i, other, from), -now, Real(t - from), x_max_);
+  }
 }
 
 /// These beads and those within reach restart at t.
@@ -142,7 +185,10 @@ void LatticeEvents<Real, Ground>::gather_near(std::vector<std::uint32_t> layer, 
     if (id >= 0 && clusters_[std::size_t(id)].whole) return gather_cluster(std::size_t(id), t, placed);
     const BeadState<Real> state = at(bead, t);
     Real span = never;
-    if (id >= 0) span = clusters_[std::size_t(id)].cluster->after_cut(t);
+    if (id >= 0) {
+      span = clusters_[std::size_t(id)].cluster->after_cut(t);
+      note_overlaps(bead, t);
+    }
     mark_[bead] = marks_;
     placed.push_back({bead, state.q, state.v, span});
   };
@@ -217,11 +263,11 @@ void LatticeEvents<Real, Ground>::change_gap(const Event& event) {
 /// Beads that touch one another are clusters, the others fly.
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::restart(std::vector<Placed>& placed, const Real& t) {
-  // Clusters around that are over in no time come along.
+  // Clusters around that are over at the same time come along.
   for (std::size_t k = 0; k < placed.size(); ++k)
     for (const Neighbour<Real>& other : touching_[placed[k].bead])
       if (!other.is_wall() && mark_[other.bead] != marks_ &&
-          until(other.bead) - t < Real(too_short) * longest_)
+          until(other.bead) - t < Real(no_time) * longest_)
         gather_cluster(std::size_t(beads_[other.bead].cluster), t, placed);
   std::vector<Real> span_of;  // by slot
   for (const Placed& p : placed) {
@@ -254,11 +300,18 @@ void LatticeEvents<Real, Ground>::restart(std::vector<Placed>& placed, const Rea
   for (const Placed& p : placed) foresee(p.bead, t);
 }
 
+/// When the next step of clusters that are not whole has to end.
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::next_beat(const Real& t) const {
+  using std::floor;
+  return longest_ * (floor(Real(t / longest_ + Real(no_time))) + 1);
+}
+
 /// The next step of beads that touch each other.
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> group, const Real& span,
                                                 const Real& t) {
-  const std::size_t id = new_cluster();
+  const std::size_t id = new_cluster(group.size());
   Held& held = clusters_[id];
   Cluster& cluster = *held.cluster;
   for (const std::uint32_t i : group) cluster.add(i, beads_[i].q, beads_[i].v);
@@ -286,8 +339,8 @@ void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> g
       }
     }
   held.whole = guests.empty() && group.size() <= most_whole<Ground>;
-  if (!held.whole) longest = std::min(longest, longest_);
-  if (span < never) cluster.expect(span);
+  if (!held.whole) longest = std::min(longest, Real(next_beat(t) - t));
+  if (!held.whole || span < never) cluster.expect(held.whole ? span : longest);
   ++held.version;
   if (!cluster.step(t, longest)) lost_ = true;
   queue_.push({cluster.end(), Kind::step, 0, std::uint32_t(id), 0, held.version, 0});

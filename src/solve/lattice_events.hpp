@@ -28,8 +28,8 @@ namespace sigmasweep {
 /// it at first: news travels from bead to bead, and what it does n beads away begins with the 2n-th power of the time.
 /// So the beads within `reach` contacts of the event become a cluster of their own, whose guests are the beads around
 /// it; all others keep the motions that are known of them. Their steps are short enough to let neither the news past
-/// the reach nor the interpolation of motions matter at the accuracy asked for. So the work of an event does not grow
-/// with the cluster.
+/// the reach nor the interpolation of motions matter at the accuracy asked for. They all end at the same times, beats,
+/// so that nobody waits for what is known of a guest. So the work of an event does not grow with the cluster.
 ///
 /// Ground: a fixed bottom, or a container that vibrates under gravity, seen from it.
 template <class Real, class Ground = FixedWall>
@@ -75,7 +75,7 @@ class LatticeEvents {
   struct Held {
     std::unique_ptr<Cluster> cluster;
     std::uint32_t version = 0;
-    std::uint64_t counted = 0;  ///< of its work
+    std::uint64_t counted = 0;  ///< of its work, before it was taken into use
     bool in_use = false, whole = false;  ///< whole: has no guests and is small
   };
   struct Placed {
@@ -107,13 +107,16 @@ class LatticeEvents {
   void change_gap(const Event& event);
   bool locate(Real& t, std::size_t i, const Neighbour<Real>& other, std::span<const std::size_t> whole);
   void touch(std::size_t i, const Neighbour<Real>& other, const Real& t);
+  void count_contact_time(const Real& t);
   void part(std::size_t i, const Neighbour<Real>& other, const Real& t);
+  void note_overlaps(std::size_t i, const Real& t);
   void gather_near(std::vector<std::uint32_t> layer, const Real& t, std::vector<Placed>& placed);
   void gather_cluster(std::size_t id, const Real& t, std::vector<Placed>& placed);
   void restart(std::vector<Placed>& placed, const Real& t);
+  Real next_beat(const Real& t) const;
   void restart_group(std::span<const std::uint32_t> group, const Real& span, const Real& t);
   void renew_list(std::size_t i, const Real& t);
-  std::size_t new_cluster();
+  std::size_t new_cluster(std::size_t count);
   void begin_anew(const Real& t);
   Real approach();
   Real held();
@@ -130,16 +133,18 @@ class LatticeEvents {
   [[no_unique_address]] Ground ground_;
   LatticeNeighbours<Real> neighbours_;
   Real closing_overlap_, slowest_;
-  Real longest_;                ///< step of a cluster that is not whole
+  Real longest_;                ///< between beats, at which steps of clusters that are not whole end
   std::vector<Bead> beads_;
   std::vector<std::vector<Neighbour<Real>>> touching_;
   std::vector<Held> clusters_;
   std::vector<std::size_t> free_clusters_;
+  std::vector<std::unique_ptr<Cluster>> large_;  ///< not in use
   std::vector<std::uint32_t> mark_, slot_;  ///< scratch, for each bead
   std::uint32_t marks_ = 0;
   Queue queue_;
   Real now_{}, epoch_{};        ///< the clock began at epoch_
   Real last_touch_{}, last_change_{}, wall_closed_ = -Real(1), wall_opened_{}, x_max_{};
+  Real contact_time_{}, counted_to_{};
   std::uint64_t closed_ = 0, contacts_ = 0, work_ = 0, all_work_ = 0;
   PlateWork work_done_;
   bool lost_ = false;

@@ -113,6 +113,7 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
   outcome.t_k = wall_closed_ < 0 ? Real(0) : wall_opened_ - wall_closed_;
   outcome.x_max = x_max_;
   outcome.contacts = contacts_;
+  outcome.contact_time = contact_time_;
   return outcome;
 }
 
@@ -181,13 +182,15 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::follow(Watcher& watcher) requi
       continue;
     }
     show_until(period);
+    count_contact_time(period);
     begin_anew(period);
-    epoch_ = Real(0);
+    epoch_ = counted_to_ = Real(0);
     watcher.end_period(energy(Real(0)) - at_start, work_done_.in, work_done_.lost);
   }
   if (outcome.status == Status::ok) outcome.end = End::periods;
   outcome.x_max = x_max_;
   outcome.contacts = contacts_;
+  outcome.contact_time = contact_time_;
   return outcome;
 }
 

@@ -1,5 +1,6 @@
 // Lattices of discs: what a contact costs, by the number of beads and by sigma, from event to event and by fixed steps.
-// `each`: time a contact that opened.
+// `each`: time a contact that opened. `per_tc`: the same for a contact and the tc that it lasts: the more rows there are,
+// the longer are those below closed.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -26,18 +27,21 @@ Parameters scene(std::int64_t rows, std::int64_t columns, double sigma) {
   return complete(p, Gap::sigma);
 }
 
-void count(benchmark::State& state, std::uint64_t contacts) {
+void count(benchmark::State& state, std::uint64_t contacts, double contact_time = 0.0) {
   state.counters["contacts"] = static_cast<double>(contacts);
   state.counters["each"] = benchmark::Counter(
       static_cast<double>(contacts), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  if (contact_time > 0.0)
+    state.counters["per_tc"] = benchmark::Counter(
+        contact_time, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 /// One run, without the second one for an error bar.
 void from_event_to_event(benchmark::State& state, std::int64_t rows, std::int64_t columns, double sigma) {
   const auto lattice = reduced_lattice<double>(scene(rows, columns, sigma));
-  std::uint64_t contacts = 0;
-  for (auto _ : state) contacts = lattice_collision(lattice, {.accuracy = 1e-7}).contacts;
-  count(state, contacts);
+  LatticeOutcome<double> outcome;
+  for (auto _ : state) outcome = lattice_collision(lattice, {.accuracy = 1e-7});
+  count(state, outcome.contacts, outcome.contact_time);
 }
 
 void by_fixed_steps(benchmark::State& state, std::int64_t rows, std::int64_t columns, double sigma,

@@ -61,6 +61,7 @@ struct LatticeOutcome {
   Real x_max{};                ///< largest overlap
   Real remainder{};            ///< End::settled: estimate of what later contacts can still change eps_eff by
   std::uint64_t contacts = 0;  ///< contacts closed and opened again
+  Real contact_time{};         ///< how long they were closed, all together; from event to event only, until the last one
   End end = End::none;
   Status status = Status::ok;
 };
@@ -73,7 +74,8 @@ struct LatticeOptions {
   double accuracy = 1e-12;  ///< local error of a step, in units of the speed and of speed times tc
   double settle = 1e-13;    ///< stop once what approaches (without a gap) or creeps can hardly change eps_eff by more
   std::uint64_t event_limit = 0;  ///< contacts before giving up; 0: 100,000 + 1,000 N
-  std::uint64_t work_limit = 0;   ///< beads and contacts moved in stages of steps; 0: 1e10 + 2e7 N, some minutes
+  /// Beads and contacts moved in stages of steps; 0: 1e10 + 2e7 N, some minutes. With fixed steps beads times steps; 1e10.
+  std::uint64_t work_limit = 0;
   Patience* patience = nullptr;
 };
 
