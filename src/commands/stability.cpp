@@ -21,8 +21,6 @@ void require_steps(const Sweep& sweep, const std::string& spec) {
   const auto has = [&](std::string_view name) {
     return std::ranges::find(columns, name, &Field::name) != columns.end();
   };
-  if (has("h_cm") || has("rows"))
-    throw SpecError(fmt::format("{}: a stability study is for geometry = 'column' only", spec));
   if (!has("predicted_growth"))
     throw SpecError(fmt::format("{}: a stability study needs tuples with integrator gear5, verlet or rk4", spec));
 }

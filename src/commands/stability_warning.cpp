@@ -11,6 +11,7 @@
 
 #include "sigmasweep/scene/law.hpp"
 #include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/solve/stability.hpp"
 #include "sigmasweep/sweep/usage.hpp"
 
@@ -21,11 +22,15 @@ constexpr std::uint64_t most_rows = 1'000'000;
 /// A second each: what is beyond counts as stable. Dashpots of laws that are not linear take up to 0.1 s to find.
 constexpr std::size_t most_kinds = 20'000, most_slow_dashpots = 50;
 
-/// What stability depends on where beads are equal: neither v0 nor s0.
+/// What stability depends on: of equal beads neither v0 nor s0.
 auto kind(const Parameters& p) {
+  const bool linear = exponents(p).linear();
   return std::tuple(p.integrator, p.steps_per_tc, p.epsilon, p.N, p.law, p.beta, p.gamma, p.wall,
                     p.K_over_m > 0.0 ? std::tuple(p.K_over_m, p.D_n, p.v0, p.tc) : std::tuple(0.0, 0.0, 0.0, 0.0),
-                    p.width > 0.0 ? std::tuple(p.width, p.d, p.seed) : std::tuple(0.0, 0.0, std::int64_t{0}));
+                    p.width > 0.0 ? std::tuple(p.width, p.d, p.seed) : std::tuple(0.0, 0.0, std::int64_t{0}),
+                    is_lattice(p) ? std::tuple(p.rows, p.side_walls, p.D_t * p.tc)
+                                  : std::tuple(std::int64_t{0}, SideWalls::periodic, 0.0),
+                    is_vibrated(p) && !linear ? std::tuple(p.A0, p.frequency) : std::tuple(0.0, 0.0));
 }
 
 struct Unstable {
@@ -59,7 +64,7 @@ std::string stability_warning(const Sweep& sweep) {
   std::uint64_t all = 0;
   for (std::uint64_t k = 0; k < looked_at; ++k) {
     const Parameters p = sweep.at(k * stride);
-    if (!has_given_steps(p) || p.geometry != Geometry::column) continue;
+    if (!has_given_steps(p)) continue;
     const auto seen = known.find(kind(p));
     if (seen == known.end() && (known.size() >= most_kinds || !dashpots.take(p))) continue;
     const auto [found, is_new] = known.try_emplace(kind(p));

@@ -21,17 +21,19 @@ namespace {
 constexpr double good = 0.01, fair = 0.1;
 constexpr int between = 4;  ///< limits from one y to the next, where they are cheap
 
+/// What vibrates has no error but the imbalance of its energy.
 Observed observed(const Collision& c) {
   if (c.status == Status::unstable) return Observed::unstable;
-  if (!(c.eps_eff == c.eps_eff)) return Observed::nothing;
-  return c.eps_eff_error < good ? Observed::good : c.eps_eff_error < fair ? Observed::fair : Observed::wrong;
+  const double error = c.eps_eff == c.eps_eff ? c.eps_eff_error : std::fabs(c.vibration.imbalance);
+  if (!(error == error)) return Observed::nothing;
+  return error < good ? Observed::good : error < fair ? Observed::fair : Observed::wrong;
 }
 
 /// The fewest steps a tc from which on, to shorter and shorter steps, the scheme is stable.
 double fewest_steps(const Parameters& p) {
   constexpr double most = 1e6, factor = 1.2;
-  const Column<double> column = reduced_column<double>(p);
-  const auto stable = [&](double steps) { return is_stable(column, p.integrator, 1.0 / steps); };
+  const ClosedContacts closed = closed_contacts(p);
+  const auto stable = [&](double steps) { return is_stable(closed, p.integrator, 1.0 / steps); };
   double high = most;
   while (high > 1.0 && stable(high / factor)) high /= factor;
   double low = high / factor;

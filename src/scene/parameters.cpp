@@ -157,9 +157,8 @@ std::string why_invalid(const Parameters& p) {
     if (const std::string why = why_lattice_invalid(p); !why.empty()) return why;
   if (p.N < 1 || p.N > max_beads)
     return fmt::format("N = {} is not allowed: it must be a whole number from 1 to {}.", p.N, max_beads);
-  if ((is_lattice(p) || is_vibrated(p)) && p.method == Method::md && p.integrator != Integrator::exact &&
-      !(p.steps_per_tc > 0.0))
-    return refuse("steps_per_tc", p.steps_per_tc, "given, > 0, for lattices and for what vibrates");
+  if (is_vibrated(p) && p.method == Method::md && p.integrator != Integrator::exact && !(p.steps_per_tc > 0.0))
+    return refuse("steps_per_tc", p.steps_per_tc, "given, > 0, for what vibrates");
   if (p.steps_per_tc != 0.0 && !within(p.steps_per_tc, 2.0, 1e6))
     return refuse("steps_per_tc", p.steps_per_tc, "from 2 to 1e6");
   if (!within(p.tolerance, 1e-15, 0.1)) return refuse("tolerance", p.tolerance, "from 1e-15 to 0.1");

@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "in_si.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/solve/fixed_step.hpp"
+#include "sigmasweep/solve/lattice.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/solve/stability.hpp"
 
@@ -11,16 +13,24 @@ namespace sigmasweep {
 namespace {
 
 constexpr double hopeless = 1e5;  // growth in one tc
-constexpr double dense = 0.1;     // sigma up to which the column is closed as a whole for a while
+constexpr double dense = 0.1;     // sigma up to which all contacts are closed for a while
 constexpr double fewest_steps = 20.0, most_steps = 1e6;  // a tc
 constexpr double most_work = 1e9;                         // steps times contacts of a collision
 constexpr double margin = 1.2, least_factor = 1.5, most_factor = 16.0;
 
-/// The collision in steps of tc/steps_per_tc, without an error.
-Collision stepped(const Parameters& p, const Column<double>& column, double step_limit, Patience* patience) {
+/// The collision in steps of tc/steps_per_tc, without an error. At most `work`, beads times steps; 0: some minutes.
+Collision stepped(const Parameters& p, double work, Patience* patience) {
+  const double dt = 1.0 / p.steps_per_tc, settle = 1e-3 * p.tolerance;
+  if (is_lattice(p)) {
+    const auto lattice = reduced_lattice<double>(p);
+    const LatticeOptions options{.settle = settle, .work_limit = static_cast<std::uint64_t>(work), .patience = patience};
+    const auto outcome = fixed_step_lattice_collision(lattice, p.integrator, dt, options);
+    return in_si_with(energies(lattice, outcome.velocity), outcome, p);
+  }
+  const auto column = reduced_column<double>(p);
   const FixedStepOptions options{
-      .settle = 1e-3 * p.tolerance, .step_limit = step_limit, .patience = patience};
-  return in_si<double>(fixed_step_collision(column, p.integrator, 1.0 / p.steps_per_tc, options), p, column.mass);
+      .settle = settle, .step_limit = work / static_cast<double>(p.N), .patience = patience};
+  return in_si<double>(fixed_step_collision(column, p.integrator, dt, options), p, column.mass);
 }
 
 /// With the distance to the exact result as the error.
@@ -39,19 +49,21 @@ Collision exact_of(Parameters p, Patience* patience) {
 }
 
 /// Beads that meet one by one are stable where the closed column is not; what is sure is that one meets the wall.
-bool is_hopeless(const Parameters& p, Column<double> column) {
+bool is_hopeless(const Parameters& p) {
+  Column<double> column = reduced_column<double>(p);
   if (!column.is_uniform()) return false;
-  if (p.sigma > dense) column.N = 1;
-  return growth_in_a_contact(column, p.integrator, 1.0 / p.steps_per_tc) > hopeless;
+  column.N = 1;
+  const bool is_closed = p.sigma <= dense && (!is_lattice(p) || p.rows > 1);
+  return growth_in_a_contact(is_closed ? closed_contacts(p) : closed_contacts(column), p.integrator,
+                             1.0 / p.steps_per_tc) > hopeless;
 }
 
 Collision with_given_steps(const Parameters& p, Patience* patience) {
-  const Column<double> column = reduced_column<double>(p);
   Collision c;
   c.status = Status::unstable;
-  if (!is_hopeless(p, column)) c = stepped(p, column, 0.0, patience);
+  if (!is_hopeless(p)) c = stepped(p, 0.0, patience);
   if (is_success(c.status)) c = compared(c, exact_of(p, patience));
-  c.predicted_growth = predicted_growth(column, p.integrator, 1.0 / p.steps_per_tc);
+  c.predicted_growth = predicted_growth(p);
   return c;
 }
 
@@ -65,19 +77,19 @@ Choice with_chosen_steps(Parameters p, Patience* patience) {
   p.tolerance = std::max(0.1 * tolerance, 1e-15);
   const Collision exact = exact_of(p, patience);
   p.tolerance = tolerance;
-  const Column<double> column = reduced_column<double>(p);
+  const ClosedContacts closed = closed_contacts(p);
   p.steps_per_tc = fewest_steps;
-  while (p.steps_per_tc < most_steps && !is_stable(column, p.integrator, 1.0 / p.steps_per_tc))
+  while (p.steps_per_tc < most_steps && !is_stable(closed, p.integrator, 1.0 / p.steps_per_tc))
     p.steps_per_tc *= 1.25;
 
   const auto with_growth = [&](Choice choice) {
-    choice.collision.predicted_growth = predicted_growth(column, p.integrator, 1.0 / choice.steps_per_tc);
+    choice.collision.predicted_growth = predicted_growth(closed, p.integrator, 1.0 / choice.steps_per_tc);
     return choice;
   };
   Choice best;
   best.collision.status = Status::unstable;
   for (double factor = 1.0; p.steps_per_tc <= most_steps; p.steps_per_tc *= factor) {
-    const Collision c = compared(stepped(p, column, most_work / static_cast<double>(p.N), patience), exact);
+    const Collision c = compared(stepped(p, most_work, patience), exact);
     const bool is_better = is_success(c.status) && !(c.eps_eff_error >= best.collision.eps_eff_error);
     if (is_better || !is_success(best.collision.status)) best = {c, p.steps_per_tc};
     if (best.collision.eps_eff_error <= tolerance) return with_growth(best);

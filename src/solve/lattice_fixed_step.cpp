@@ -26,7 +26,7 @@ class LatticeRun {
         watcher_(watcher) {
     const auto N = static_cast<double>(lattice.count());
     if (options_.event_limit == 0) options_.event_limit = 100'000 + 1'000 * lattice.count();
-    step_limit_ = most_work / N;
+    step_limit_ = (options_.work_limit == 0 ? most_work : static_cast<double>(options_.work_limit)) / N;
     quiet_ = lattice.quiet_time() / dt;
     lowest_energy_ = start_energy_ = steps_.energy();
   }

@@ -5,6 +5,7 @@
 
 #include "lattice_samples.hpp"
 #include "sigmasweep/scene/plate_motion.hpp"
+#include "sigmasweep/solve/fixed_step.hpp"
 #include "sigmasweep/solve/lattice.hpp"
 
 namespace sigmasweep {
@@ -14,7 +15,7 @@ namespace {
 void watch(const Parameters& p, const Lattice<double>& lattice, LatticeSamples& samples) {
   if (is_vibrated(p)) return watch_vibrated_lattice(p, samples);
   if (p.integrator == Integrator::exact) return watch_lattice(lattice, samples);
-  watch_fixed_step_lattice(lattice, p.integrator, 1.0 / p.steps_per_tc, samples);
+  watch_fixed_step_lattice(lattice, p.integrator, 1.0 / steps_taken(p), samples);
 }
 
 }  // namespace

@@ -9,6 +9,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "lattice_shares.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
+
 namespace sigmasweep {
 namespace {
 
@@ -84,6 +87,14 @@ double row_sum(const Column<double>& column, std::size_t i, double (Column<doubl
   return sum;
 }
 
+/// Of the law's F = K x^(1+beta) + C x^gamma x', for a small motion about the overlap that m v^2/2 = K x^(2+beta)/(2+beta)
+/// gives a mean bead at the wall: k for K = 1, and c for C = 1.
+Mode about_overlap(const Column<double>& column) {
+  const auto [beta, gamma] = column.exponents;
+  const double x = std::pow((2.0 + beta) * column.speed * column.speed / (2.0 * column.K_wall), 1.0 / (2.0 + beta));
+  return {(1.0 + beta) * std::pow(x, beta), std::pow(x, gamma)};
+}
+
 }  // namespace
 
 double growth_per_step(Integrator integrator, const Mode& mode) { return spectral_radius(map_of(integrator, mode)); }
@@ -97,39 +108,62 @@ std::vector<double> step_map(Integrator integrator, const Mode& mode) {
 }
 
 /// The overlaps obey x'' = -A (K x + C x'), A = tridiag(-1/m_(k-1), 1/m_(k-1) + 1/m_k, -1/m_k), K and C diagonal.
-Mode stiffest_mode(const Column<double>& column, double dt) {
-  const auto [beta, gamma] = column.exponents;
-  // m v^2/2 = K x^(2+beta)/(2+beta), for a mean bead at the wall.
-  const double x = std::pow((2.0 + beta) * column.speed * column.speed / (2.0 * column.K_wall), 1.0 / (2.0 + beta));
-  const double k = (1.0 + beta) * std::pow(x, beta) * dt * dt, c = std::pow(x, gamma) * dt;
+ClosedContacts closed_contacts(const Column<double>& column) {
+  const auto height = static_cast<double>(column.N);
+  const Mode single = about_overlap(column);
   if (column.is_uniform() && (column.K_wall == column.K || column.N == 1)) {
-    const double N = static_cast<double>(column.N);
-    const double lambda = 2.0 + 2.0 * std::cos(2.0 * std::numbers::pi / (2.0 * N + 1.0));
-    return {lambda * k * column.K_wall, lambda * c * column.C_wall};
+    const double lambda = 2.0 + 2.0 * std::cos(2.0 * std::numbers::pi / (2.0 * height + 1.0));
+    return {{{lambda * single.k * column.K_wall, lambda * single.c * column.C_wall}}, column.tc, height};
   }
-  double AK = 0.0, AC = 0.0;
+  Mode bound;
   for (std::size_t i = 0; i < column.contacts(); ++i) {
-    AK = std::max(AK, row_sum(column, i, &Column<double>::spring));
-    AC = std::max(AC, row_sum(column, i, &Column<double>::dashpot));
+    bound.k = std::max(bound.k, row_sum(column, i, &Column<double>::spring));
+    bound.c = std::max(bound.c, row_sum(column, i, &Column<double>::dashpot));
   }
-  return {k * AK, c * AC};
+  return {{{single.k * bound.k, single.c * bound.c}}, column.tc, height};
 }
 
-double growth_in_a_contact(const Column<double>& column, Integrator integrator, double dt) {
-  const double radius = growth_per_step(integrator, stiffest_mode(column, dt));
-  return std::fabs(radius - 1.0) <= rounding ? 1.0 : std::pow(radius, column.tc / dt);
+ClosedContacts closed_contacts(const Lattice<double>& lattice) {
+  const Column<double>& beads = lattice.beads;
+  const Mode single = about_overlap(beads);
+  ClosedContacts closed{{}, beads.tc, static_cast<double>(lattice.rows)};
+  for (const LatticeShares& most : largest_shares(lattice))
+    closed.modes.push_back({most.spring * single.k * beads.K,
+                            most.dashpot * single.c * beads.C + most.friction * lattice.D_t});
+  return closed;
 }
 
-double predicted_growth(const Column<double>& column, Integrator integrator, double dt) {
-  return std::pow(growth_in_a_contact(column, integrator, dt), static_cast<double>(column.N));
+ClosedContacts closed_contacts(const Parameters& p) {
+  const double speed = is_vibrated(p) ? p.A0 * 2.0 * std::numbers::pi * p.frequency / p.v0 : 1.0;
+  if (!is_lattice(p)) {
+    Column<double> column = reduced_column<double>(p);
+    column.speed = speed;
+    return closed_contacts(column);
+  }
+  Lattice<double> lattice = reduced_lattice<double>(p);
+  lattice.beads.speed = speed;
+  return closed_contacts(lattice);
+}
+
+double growth_in_a_contact(const ClosedContacts& closed, Integrator integrator, double dt) {
+  double growth = 0.0;
+  for (const Mode& mode : closed.modes) {
+    const double radius = growth_per_step(integrator, mode.in_steps(dt));
+    growth = std::max(growth, std::fabs(radius - 1.0) <= rounding ? 1.0 : std::pow(radius, closed.tc / dt));
+  }
+  return growth;
+}
+
+double predicted_growth(const ClosedContacts& closed, Integrator integrator, double dt) {
+  return std::pow(growth_in_a_contact(closed, integrator, dt), closed.height);
 }
 
 double predicted_growth(const Parameters& p) {
-  return predicted_growth(reduced_column<double>(p), p.integrator, 1.0 / p.steps_per_tc);
+  return predicted_growth(closed_contacts(p), p.integrator, 1.0 / p.steps_per_tc);
 }
 
-bool is_stable(const Column<double>& column, Integrator integrator, double dt) {
-  return predicted_growth(column, integrator, dt) <= most_stable_growth;
+bool is_stable(const ClosedContacts& closed, Integrator integrator, double dt) {
+  return predicted_growth(closed, integrator, dt) <= most_stable_growth;
 }
 
 bool is_stable(const Parameters& p) { return predicted_growth(p) <= most_stable_growth; }

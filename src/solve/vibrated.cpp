@@ -1,13 +1,16 @@
 #include "sigmasweep/solve/vibrated.hpp"
 
 #include "sigmasweep/scene/plate_motion.hpp"
+#include "sigmasweep/solve/stability.hpp"
 
 namespace sigmasweep {
 
 Collision simulate_vibrated(const Parameters& parameters, Patience* patience) {
-  if (is_lattice(parameters)) return simulate_vibrated_lattice(parameters, patience);
-  return parameters.method == Method::ed ? simulate_vibrated_hard_spheres(parameters, patience)
-                                         : simulate_vibrated_soft_spheres(parameters, patience);
+  if (parameters.method == Method::ed) return simulate_vibrated_hard_spheres(parameters, patience);
+  Collision c = is_lattice(parameters) ? simulate_vibrated_lattice(parameters, patience)
+                                       : simulate_vibrated_soft_spheres(parameters, patience);
+  if (parameters.integrator != Integrator::exact) c.predicted_growth = predicted_growth(parameters);
+  return c;
 }
 
 }  // namespace sigmasweep

@@ -3,7 +3,6 @@
 #include "exact_column.hpp"
 #include "nonlinear_column.hpp"
 #include "samples.hpp"
-#include "sigmasweep/solve/stability.hpp"
 #include "sigmasweep/solve/vibrated.hpp"
 #include "vibrated_fixed_step.hpp"
 #include "vibrated_result.hpp"
@@ -48,10 +47,7 @@ Collision simulate_vibrated_soft_spheres(const Parameters& p, Patience* patience
   ExactOptions options = limits(p, static_cast<double>(p.periods));
   options.patience = patience;
   const Outcome<double> outcome = follow(p, column, options, statistics);
-  Collision c = vibrated_result(outcome, statistics, units);
-  if (p.integrator != Integrator::exact)
-    c.predicted_growth = predicted_growth(column, p.integrator, 1.0 / p.steps_per_tc);
-  return c;
+  return vibrated_result(outcome, statistics, units);
 }
 
 void watch_vibrated_soft_spheres(const Parameters& p, VibratedSamples& samples) {

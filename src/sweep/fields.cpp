@@ -85,7 +85,7 @@ constexpr std::array results{
     SIGMASWEEP_FIELD(collision, t_k, "s", "time from the first to the last contact with the wall"),
     SIGMASWEEP_FIELD(collision, x_max, "m", "largest overlap of any contact"),
     SIGMASWEEP_FIELD(collision, predicted_growth, "1",
-                     "fixed steps: of the stiffest mode's amplitude in N tc, by theory"),
+                     "fixed steps: of the least stable mode in N tc (lattice: rows tc), by theory"),
     SIGMASWEEP_VIBRATION(h_cm, "m", "mean height of the centre of mass above the plate's middle"),
     SIGMASWEEP_VIBRATION(h_cm_error, "m", "standard error of h_cm, by block averages"),
     SIGMASWEEP_VIBRATION(h_cm_excess, "m", "h_cm less its value at rest with the plate in the middle"),

@@ -97,8 +97,6 @@ Sweep Sweep::parse(std::string_view text, const std::string& file) {
       spec::refuse(*plot, "kind = 'trajectories' needs a table [trajectory]");
     if (one.by_phase && std::ranges::none_of(grid->kinds, is_vibrated))
       spec::refuse(*plot, "x = 'phase' needs geometry = 'vibrated-column' or 'vibrated-lattice'");
-    if (one.kind == PlotKind::stability && std::ranges::any_of(grid->kinds, is_lattice))
-      spec::refuse(*plot, "kind = 'stability' is for geometry = 'column' only");
   }
 
   std::vector<std::string> axes;

@@ -69,7 +69,6 @@ constexpr auto rules = std::to_array<Rule>({
 /// What only some geometries have, beside other rules.
 constexpr auto of_what_flies = std::to_array<std::string_view>(
     {"sigma", "tolerance", "eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k"});
-constexpr auto of_flying_columns = std::to_array<std::string_view>({"predicted_growth"});
 constexpr auto of_what_vibrates = std::to_array<std::string_view>(
     {"gravity", "frequency", "alpha", "A0", "periods", "transient", "h_cm", "h_cm_error", "h_cm_excess", "E_r",
      "cm_period", "power_in", "power_lost", "imbalance"});
@@ -84,7 +83,6 @@ struct Family {
 
 constexpr auto families = std::to_array<Family>({
     {of_what_flies, [](const Parameters& p) { return !is_vibrated(p); }, "geometry = 'column' or 'lattice'"},
-    {of_flying_columns, [](const Parameters& p) { return p.geometry == Geometry::column; }, "geometry = 'column'"},
     {of_what_vibrates, is_vibrated, "geometry = 'vibrated-column' or 'vibrated-lattice'"},
     {of_vibrated_columns, [](const Parameters& p) { return p.geometry == Geometry::vibrated_column; },
      "geometry = 'vibrated-column'"},

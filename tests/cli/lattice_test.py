@@ -77,12 +77,24 @@ class Table(unittest.TestCase):
         shown = json.loads(sigmasweep("show", sweep.table, "--json", "--where", "side_walls == fixed").stdout)
         self.assertEqual([row["N"] for row in shown["results"]], [8, 12])
 
-    def test_no_stability_study(self):
-        sweep = Sweep("[sweep]\ngeometry = \"lattice\"\nrows = 2\nepsilon = 0.9\nv0 = 1\ntc = 1e-5\nsigma = 0\n"
-                      "integrator = \"rk4\"\n")
+    def test_studies(self):
+        lattice = ("[sweep]\ngeometry = \"lattice\"\nrows = 2\ncolumns = 3\nepsilon = 0.1\nv0 = 1\ntc = 1e-5\nsigma = 0\n"
+                   "d = 0.1\n")
+        sweep = Sweep(lattice + "integrator = \"gear5\"\nsteps_per_tc = [4, 10, 100]\n")
         ended = sigmasweep("stability", sweep.spec, cwd=sweep.path)
-        self.assertEqual(ended.returncode, 65, ended)
-        self.assertIn("geometry = 'column' only", ended.stderr)
+        self.assertEqual(ended.returncode, 0, ended)
+        self.assertIn("0 unstable that were predicted to be stable", ended.stdout)
+        self.assertIn("predicted to be unstable", sigmasweep("plan", sweep.spec).stderr)
+        study = Sweep(lattice + "[precision]\nsteps_per_tc = [100]\ntolerances = [1e-7]\ntuples = 4\nchecks = 2\n")
+        ended = sigmasweep("precision", study.spec, cwd=study.path)
+        self.assertEqual(ended.returncode, 0, ended)
+        self.assertIn("errors of eps_eff; references: 1; 1 checked by the same method at another accuracy", ended.stdout)
+
+    def test_tolerance_chooses_steps(self):
+        ended = sigmasweep("one", *LATTICE, "--integrator", "verlet", "--tolerance", "1e-4", "--json")
+        row = json.loads(ended.stdout)
+        self.assertEqual(row["status"], "ok", ended)
+        self.assertLessEqual(row["eps_eff_error"], 1e-4)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,8 @@
 #include "../../src/solve/fixed_step_verlet.hpp"
 #include "sigmasweep/scene/names.hpp"
 #include "sigmasweep/solve/fixed_step.hpp"
+#include "sigmasweep/solve/lattice.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -100,10 +102,96 @@ TEST(Stability, TheStiffestModeOfEqualBeads) {
     Parameters p;
     p.N = N;
     const Column<double> c = reduced_column<double>(p);
-    const Mode mode = stiffest_mode(c, 0.01);
+    const Mode mode = closed_contacts(c).modes.front().in_steps(0.01);
     EXPECT_NEAR(mode.k, lambda[N - 1] * c.K * 1e-4, 1e-12);
     EXPECT_NEAR(mode.c, lambda[N - 1] * c.C * 1e-2, 1e-12);
   }
+}
+
+Lattice<double> lattice_of(std::int64_t rows, std::int64_t columns, SideWalls walls, double D_t_over_D_n) {
+  Parameters p;
+  p.geometry = Geometry::lattice;
+  p.rows = rows;
+  p.columns = columns;
+  p.side_walls = walls;
+  p.epsilon = 0.7;
+  Lattice<double> lattice = reduced_lattice<double>(complete(p, Gap::s0));
+  lattice.D_t = D_t_over_D_n * lattice.beads.C;
+  return lattice;
+}
+
+// Waves of the infinite triangular lattice: 2 sum (1 - cos) over its bonds is 8 at the edge of the zone's middle and 9 at
+// its corner. Spring and dashpot have 6 of the 8; with D_t = D_n both count and the corner's 9 is more.
+TEST(Stability, TheStiffestModesOfLattices) {
+  for (const SideWalls walls : {SideWalls::periodic, SideWalls::fixed}) {
+    const Lattice<double> lattice = lattice_of(30, 30, walls, 1.0);
+    const ClosedContacts closed = closed_contacts(lattice);
+    double k = 0.0, c = 0.0;
+    for (const Mode& mode : closed.modes) k = std::max(k, mode.k), c = std::max(c, mode.c);
+    EXPECT_NEAR(k, 6.0 * lattice.beads.K, 0.06 * lattice.beads.K);
+    EXPECT_NEAR(c, 9.0 * lattice.beads.C, 0.15 * lattice.beads.C);
+    EXPECT_EQ(closed.height, 30.0);
+  }
+}
+
+// One bead is a bead at the wall. Rows that move as one are a chain of contacts of 1.5 K, than which the lattice is not
+// softer; nor is it stiffer than the infinite lattice and the wall together.
+TEST(Stability, SmallLattices) {
+  const Lattice<double> one = lattice_of(1, 1, SideWalls::periodic, 0.0);
+  EXPECT_NEAR(closed_contacts(one).modes.front().k, one.beads.K_wall, 1e-9 * one.beads.K_wall);
+  EXPECT_NEAR(closed_contacts(one).modes.front().c, one.beads.C_wall, 1e-9 * one.beads.C_wall);
+  const Lattice<double> two = lattice_of(2, 3, SideWalls::periodic, 0.0);
+  // Two rows: the larger eigenvalue of {{a + b, -b}, {-b, b}}.
+  const double a = two.beads.K_wall, b = 1.5 * two.beads.K, half = 0.5 * (a + 2.0 * b);
+  EXPECT_GE(closed_contacts(two).modes.front().k, (half + std::sqrt(half * half - a * b)) * 0.99);
+  EXPECT_LE(closed_contacts(two).modes.front().k, 6.0 * two.beads.K + a);
+}
+
+// No lattice and nothing on a plate is found unstable where theory says that it is stable, in a scan through the limit;
+// and at half the limit's steps something happens.
+TEST(Stability, LatticesAndWhatVibratesBehaveAsPredicted) {
+  const auto check = [](Parameters p) {
+    for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4}) {
+      p.integrator = integrator;
+      bool seen = false;
+      for (const double steps : {3.0, 5.0, 8.0, 12.0, 20.0, 40.0, 80.0}) {
+        p.steps_per_tc = steps;
+        const Collision c = simulate(p);
+        EXPECT_EQ(c.predicted_growth, predicted_growth(p));
+        if (is_stable(p)) {
+          EXPECT_NE(c.status, Status::unstable) << name_of(integrator) << " tc/" << steps;
+        }
+        seen = seen || c.status == Status::unstable;
+      }
+      if (integrator == Integrator::gear5) {
+        EXPECT_TRUE(seen) << name_of(p.geometry);
+      }
+    }
+  };
+  Parameters p;
+  p.v0 = 1.0;
+  p.tc = 1e-3;
+  p.epsilon = 0.2;
+  p.rows = 4;
+  p.columns = 5;
+  p.d = 1.0;
+  p.sigma = 0.01;
+  p.tolerance = 1e-4;
+  for (const double D_t : {0.0, 3000.0}) {
+    p.D_t = D_t;
+    p.geometry = Geometry::lattice;
+    check(complete(p, Gap::sigma));
+  }
+  p.alpha = 3.0;
+  p.periods = 5;
+  p.transient = 0;
+  p.d = 1e-3;
+  p.s0 = 0.0;
+  p.geometry = Geometry::vibrated_lattice;
+  check(complete(p, Gap::s0));
+  p.geometry = Geometry::vibrated_column;
+  p.N = 6;
+  check(complete(p, Gap::s0));
 }
 
 // Wherever a tuple is refused before it is computed, computing it comes to nothing too.
@@ -114,7 +202,7 @@ TEST(Stability, NothingIsRefusedThatHasAResult) {
   const auto check = [&](Integrator integrator, double steps) {
     p.integrator = integrator;
     p.steps_per_tc = steps;
-    if (!(growth_in_a_contact(column, integrator, 1.0 / steps) > 1e5)) return;  // computed, whatever sigma is
+    if (!(growth_in_a_contact(closed_contacts(column), integrator, 1.0 / steps) > 1e5)) return;  // computed, whatever sigma is
     const auto o = fixed_step_collision(column, integrator, 1.0 / steps, {.settle = 1e-9, .step_limit = 3e4});
     double energy = 0.0;
     for (const double v : o.velocity) energy += v * v / static_cast<double>(p.N);

@@ -74,7 +74,7 @@ TEST(LatticeSweep, HasItsOwnColumns) {
                                       "eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "x_max", "contacts",
                                       "end", "status"}));
   EXPECT_EQ(std::ranges::count(columns(with(flies + "D_t = [1, 2]")), "D_t"), 1);
-  EXPECT_EQ(std::ranges::count(columns(with(flies + "integrator = \"rk4\"")), "predicted_growth"), 0);
+  EXPECT_EQ(std::ranges::count(columns(with(flies + "integrator = \"rk4\"")), "predicted_growth"), 1);
   EXPECT_EQ(columns(Sweep::parse(spec(vibrates, "\"vibrated-lattice\""), "l")),
             (std::vector<std::string>{"tc", "N", "epsilon", "method", "rows", "columns", "frequency", "alpha", "A0",
                                       "periods", "x_max", "h_cm", "h_cm_error", "h_cm_excess", "E_r", "cm_period",
@@ -151,11 +151,10 @@ TEST(LatticeSweep, IsSoft) {
   EXPECT_EQ(refusal(spec(mixed + "where = \"geometry == lattice || method == md\"", both)), "lattice.toml:9: " + why);
 }
 
-TEST(LatticeSweep, HasTrajectoriesButNoStudies) {
-  EXPECT_EQ(wrong(flies + "[precision]\n"),
-            "lattice.toml:8: precision: integrators are compared by the eps_eff of geometry = 'column' only");
-  EXPECT_EQ(wrong(flies + "integrator = \"rk4\"\n[plot]\nkind = \"stability\"\n"),
-            "lattice.toml:9: plot: kind = 'stability' is for geometry = 'column' only");
+TEST(LatticeSweep, HasTrajectoriesAndStudies) {
+  EXPECT_EQ(wrong(flies + "[precision]\n"), "accepted");
+  EXPECT_EQ(wrong(flies + "integrator = \"rk4\"\n[plot]\nkind = \"stability\"\n"), "accepted");
+  EXPECT_EQ(refusal(spec(vibrates + "[precision]\n", "\"vibrated-lattice\"")), "accepted");
   EXPECT_EQ(wrong(flies + "[trajectory]\n"), "accepted");
   EXPECT_EQ(refusal(spec(flies + "N = 3\n[trajectory]\nwhere = \"geometry == column\"", both)), "accepted");
   EXPECT_EQ(refusal(spec(vibrates + "[trajectory]\n", "\"vibrated-lattice\"")), "accepted");
