@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "plot_gnuplot.hpp"
 #include "plot_labels.hpp"
@@ -12,6 +13,7 @@
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/precision.hpp"
 #include "sigmasweep/scene/names.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -56,7 +58,7 @@ struct Decades : Range {
 /// The panels on common axes: failures stand at the right border, a decade beyond the largest error.
 class Picture {
  public:
-  explicit Picture(std::span<const Panel> panels) {
+  Picture(std::span<const Panel> panels, std::string quantity) : quantity_(std::move(quantity)) {
     for (const Panel& panel : panels) {
       errors_.take(std::max(panel.noise, 1e-19));
       for (const Series& series : panel.series)
@@ -73,9 +75,9 @@ class Picture {
 
   std::string axes() const {
     return fmt::format("set logscale xy\nset format x '10^{{%L}}'\nset format y '10^{{%L}}'\nset xrange [{:g}:{:g}]\n"
-                       "set yrange [{:g}:{:g}]\nset xtics 1e3\nset xlabel 'error of ε_{{eff}}: median, to largest'\n"
+                       "set yrange [{:g}:{:g}]\nset xtics 1e3\nset xlabel 'error of {}: median, to largest'\n"
                        "set ylabel 'CPU time a tuple (s)'\n",
-                       errors_.low, errors_.high, times_.low, times_.high);
+                       errors_.low, errors_.high, times_.low, times_.high, quantity_);
   }
 
   std::string panel(const Panel& panel, std::size_t number, bool key) const {
@@ -119,14 +121,18 @@ class Picture {
   }
 
   Decades errors_, times_;
+  std::string quantity_;
 };
 
-void draw(std::span<const Panel> panels, const std::string& title, const std::string& path) {
+constexpr const char *eps_eff = "ε_{eff}", *height = "h_{cm}/A_0";
+
+void draw(std::span<const Panel> panels, const std::string& quantity, const std::string& title,
+          const std::string& path) {
   const Form form = form_of(path);
   std::size_t columns = 1;
   while (columns < 4 && columns * columns < panels.size()) ++columns;
   const std::size_t lines = (panels.size() + columns - 1) / columns;
-  const Picture picture(panels);
+  const Picture picture(panels, quantity);
   const bool single = panels.size() == 1;
   const double x = single ? 2.0 : double(columns), y = single ? 1.5 : double(lines);
   std::string script =
@@ -165,7 +171,9 @@ void plot_precision(std::span<const PrecisionRow> rows, std::span<const std::str
   if (panels.size() > most_precision_panels)
     throw UsageError(fmt::format("plot: {} scenes, but at most {} find room on a picture: choose with 'where' in "
                                  "[plot]", panels.size(), most_precision_panels));
-  draw(panels, title, path);
+  const auto vibrated = std::ranges::count_if(rows, [](const PrecisionRow& r) { return is_vibrated(r.parameters); });
+  const std::string both = fmt::format("{} (vibrated: {})", eps_eff, height);
+  draw(panels, vibrated == 0 ? eps_eff : vibrated == std::ssize(rows) ? height : both, title, path);
 }
 
 void plot_precision_of(std::span<const Row> rows, const std::string& title, const std::string& path) {
@@ -186,7 +194,7 @@ void plot_precision_of(std::span<const Row> rows, const std::string& title, cons
   }
   if (panel.series.empty()) throw UsageError("plot: the table has no soft spheres that were computed and timed");
   panel.title = "error bars against run times of the rows";
-  draw(std::span(&panel, 1), title, path);
+  draw(std::span(&panel, 1), eps_eff, title, path);
 }
 
 }  // namespace sigmasweep

@@ -4,85 +4,72 @@
 #include <cmath>
 
 #include "precision_references.hpp"
-#include "sigmasweep/scene/law.hpp"
+#include "sigmasweep/scene/plate_motion.hpp"
 #include "sigmasweep/scene/random.hpp"
-#include "sigmasweep/solve/exact.hpp"
-#include "sigmasweep/solve/fixed_step.hpp"
-#include "sigmasweep/solve/nonlinear.hpp"
-#include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/solve/thread_clock.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 
 namespace sigmasweep {
-namespace {
 
-constexpr double sigma_change = 1e-3;
-/// Predictions are good to an order of magnitude: only settings predicted to take this many times `longest` are left
-/// out without a try of one tuple.
-constexpr double too_long = 20.0;
+double chance(const PrecisionSpec& spec, const char* what, std::uint64_t k) {
+  return unit_interval(random_bits(stream_key(spec.seed, what), k));
+}
 
-/// One integrator at one setting, with what is known of it so far.
-struct Setting {
-  PrecisionRow row;
-  std::vector<Parameters> tuples;        ///< with integrator and setting
-  std::vector<Column<double>> columns;   ///< fixed steps: with the wall further away
-  double errors_took = 0.0;              ///< CPU time of the first round, s
-  bool is_exact() const { return row.parameters.integrator == Integrator::exact; }
-  double dt() const { return 1.0 / row.setting; }
-};
-
-/// The scene, with another sigma; s0 follows.
-std::vector<Parameters> tuples_of(const Parameters& scene, const PrecisionSpec& spec) {
-  const std::uint64_t key = stream_key(spec.seed, "sigma");
+std::vector<Parameters> with_other_sigmas(const Parameters& scene, const PrecisionSpec& spec) {
   std::vector<Parameters> tuples(scene.sigma > 0.0 ? spec.tuples : 1, scene);
   for (std::size_t k = 0; k < tuples.size(); ++k) {
-    tuples[k].sigma *= 1.0 + sigma_change * (2.0 * unit_interval(random_bits(key, k)) - 1.0);
+    tuples[k].sigma *= 1.0 + scene_change * (2.0 * chance(spec, "sigma", k) - 1.0);
     tuples[k].s0 = tuples[k].sigma * tuples[k].v0 * tuples[k].tc;
   }
   return tuples;
 }
 
-/// The column, its wall further away by a random part of what it flies in a step.
-Column<double> shifted(const Parameters& tuple, double dt, const PrecisionSpec& spec, std::size_t k) {
-  Column<double> column = reduced_column<double>(tuple);
-  if (column.gaps.empty()) column.gaps.assign(column.contacts(), column.gap);
-  column.gaps[0] += unit_interval(random_bits(stream_key(spec.seed, "phase"), k)) * dt * column.speed;
-  return column;
+namespace {
+
+Subject subject_of(const Parameters& scene, const PrecisionSpec& spec) {
+  if (is_vibrated(scene)) return vibrated_subject(scene, spec);
+  return is_lattice(scene) ? lattice_subject(scene, spec) : column_subject(scene, spec);
 }
 
-Setting make_setting(const Parameters& scene, Integrator integrator, double value, std::uint64_t number) {
-  Setting setting;
-  setting.row.scene = number;
-  setting.row.setting = value;
-  setting.row.parameters = scene;
-  setting.row.parameters.integrator = integrator;
-  (integrator == Integrator::exact ? setting.row.parameters.tolerance : setting.row.parameters.steps_per_tc) = value;
-  return setting;
+/// One integrator at one setting, with what is known of it so far.
+struct Setting {
+  PrecisionRow row;
+  std::vector<Trial> trials;
+  double errors_took = 0.0;  ///< CPU time of the first round, s
+  bool is_exact() const { return row.parameters.integrator == Integrator::exact; }
+};
+
+Parameters with_setting(Parameters p, Integrator integrator, double value) {
+  p.integrator = integrator;
+  if (integrator != Integrator::exact) p.steps_per_tc = value;
+  else if (value == value) p.tolerance = value;
+  return p;
+}
+
+/// The exact solver of what vibrates has no tolerance: it is one setting, NaN.
+std::vector<double> values_of(const Parameters& scene, Integrator integrator, const PrecisionSpec& spec) {
+  if (integrator != Integrator::exact) return spec.steps_per_tc;
+  return is_vibrated(scene) ? std::vector{PrecisionRow::nan} : spec.tolerances;
 }
 
 std::vector<Setting> settings_of(const Parameters& scene, std::uint64_t number, const PrecisionSpec& spec) {
   std::vector<Setting> settings;
   for (const Integrator integrator : spec.integrators)
-    for (const double value : integrator == Integrator::exact ? spec.tolerances : spec.steps_per_tc)
-      settings.push_back(make_setting(scene, integrator, value, number));
+    for (const double value : values_of(scene, integrator, spec)) {
+      Setting& setting = settings.emplace_back();
+      setting.row.scene = number;
+      setting.row.setting = value;
+      setting.row.parameters = with_setting(scene, integrator, value);
+    }
   return settings;
 }
 
-/// Of the solver alone: what a sweep adds to a scheme of fixed steps is the exact solution.
+/// Of the solver alone: what a sweep adds to a column's scheme of fixed steps is the exact solution.
 double predicted_alone(const Parameters& p) {
-  if (p.integrator == Integrator::exact) return predicted_time(p);
+  if (p.integrator == Integrator::exact || p.geometry != Geometry::column) return predicted_time(p);
   Parameters exact = p;
   exact.integrator = Integrator::exact;
   return predicted_time(p) - predicted_time(exact);
-}
-
-/// The final velocities of the exact solver as it stops for this tolerance. In double: where simulate() needs more
-/// than that, its eps_eff is better than these.
-std::vector<double> exact_velocities(const Parameters& p) {
-  const Column<double> column = reduced_column<double>(p);
-  const double settle = 1e-3 * p.tolerance;
-  if (column.exponents.linear()) return exact_collision(column, {.settle = settle}).velocity;
-  return nonlinear_collision(column, {.accuracy = std::max(1e-3 * p.tolerance, 1e-15), .settle = settle}).velocity;
 }
 
 double quantile(std::vector<double>& sorted, double q) {
@@ -94,8 +81,9 @@ double quantile(std::vector<double>& sorted, double q) {
 /// Errors of the tuples that have a result.
 class Errors {
  public:
-  void add(double eps_eff, const std::vector<double>& velocity, const Answer& answer) {
-    error_.push_back(static_cast<double>(std::fabs(eps_eff - answer.eps_eff)));
+  void add(double value, const std::vector<double>& velocity, const Answer& answer) {
+    error_.push_back(static_cast<double>(std::fabs(value - answer.value)));
+    if (velocity.empty()) return;
     double worst = 0.0;
     for (std::size_t i = 0; i < velocity.size(); ++i)
       worst = std::max(worst, std::fabs(velocity[i] - answer.velocity[i]));
@@ -118,62 +106,39 @@ class Errors {
 
 void leave_out(Setting& setting) {
   setting.row.tuples = setting.row.failures = 0;
-  setting.tuples.clear();
-  setting.columns.clear();
+  setting.trials.clear();
 }
 
-void measure_errors(Setting& setting, const std::vector<Parameters>& tuples, const References& references,
+void measure_errors(Setting& setting, const Subject& subject, const References& references,
                     const PrecisionSpec& spec) {
   PrecisionRow& row = setting.row;
   Errors errors;
   double evaluations = 0.0;
-  // Without a gap only the phase of the steps is left to change.
-  const bool only_phases = tuples.size() == 1 && !setting.is_exact() && references.usable(0);
+  const bool only_phases = subject.tuples.size() == 1 && !setting.is_exact() && references.usable(0);
   const std::size_t count = only_phases ? spec.tuples : references.answers.size();
   for (std::size_t k = 0; k < count && (k == 0 || setting.errors_took < spec.seconds); ++k) {
     if (k == 1 && setting.errors_took > spec.longest) return leave_out(setting);
-    const std::size_t which = std::min(k, tuples.size() - 1);
-    Parameters p = row.parameters;
-    p.sigma = tuples[which].sigma;
-    p.s0 = tuples[which].s0;
-    double eps_eff;
-    bool failed;
-    std::vector<double> velocity;
-    if (setting.is_exact()) {
-      const double start = thread_seconds();
-      const Collision c = simulate(p);
-      setting.errors_took += thread_seconds() - start;
-      failed = !is_success(c.status);
-      eps_eff = c.eps_eff;
-      velocity = exact_velocities(p);
-      setting.tuples.push_back(p);
-    } else {
-      setting.columns.push_back(shifted(p, setting.dt(), spec, k));
-      const Column<double>& column = setting.columns.back();
-      std::uint64_t steps = 0;
-      const double start = thread_seconds();
-      const auto outcome = fixed_step_collision(column, p.integrator, setting.dt(), {.steps = &steps});
-      setting.errors_took += thread_seconds() - start;
-      failed = !is_success(outcome.status);
-      eps_eff = energies<double>(outcome.velocity, column.speed, column.mass).eps_eff;
-      velocity = outcome.velocity;
-      evaluations += static_cast<double>(steps) * (p.integrator == Integrator::rk4 ? 4.0 : 1.0);
-    }
+    const std::size_t which = std::min(k, subject.tuples.size() - 1);
+    const Parameters p = with_setting(subject.tuples[which], row.parameters.integrator, row.setting);
+    const Trial& trial = setting.trials.emplace_back(subject.trial(p, chance(spec, "phase", k)));
+    const double start = thread_seconds();
+    const Found found = trial.run();
+    setting.errors_took += thread_seconds() - start;
+    evaluations += found.evaluations;
     ++row.tuples;
-    if (failed) ++row.failures;
-    else if (references.usable(which)) errors.add(eps_eff, velocity, references.answers[which]);
+    if (found.failed) ++row.failures;
+    else if (references.usable(which))
+      errors.add(found.value, trial.velocity ? trial.velocity() : found.velocity, references.answers[which]);
   }
   errors.summarise(row);
-  if (!setting.is_exact()) row.evaluations = evaluations / static_cast<double>(row.tuples);
+  row.evaluations = evaluations / static_cast<double>(row.tuples);
 }
 
 /// All tuples of the setting once more; CPU time, s.
 double time_once(const Setting& setting) {
   const double start = thread_seconds();
   double sum = 0.0;
-  for (const Parameters& p : setting.tuples) sum += simulate(p).eps_eff;
-  for (const Column<double>& column : setting.columns)
-    sum += fixed_step_collision(column, setting.row.parameters.integrator, setting.dt()).velocity[0];
+  for (const Trial& trial : setting.trials) sum += trial.run().value;
   const double took = thread_seconds() - start;
   [[maybe_unused]] volatile double keep = sum;  // or the compiler might leave it all out
   return took;
@@ -195,9 +160,11 @@ void measure_times(std::vector<Setting>& settings, const PrecisionSpec& spec) {
 
 }  // namespace
 
+std::string_view precision_quantity(const Parameters& p) { return is_vibrated(p) ? "h_cm/A0" : "eps_eff"; }
+
 std::vector<PrecisionRow> measure_precision(const Parameters& scene, std::uint64_t number, const PrecisionSpec& spec) {
-  const std::vector<Parameters> tuples = tuples_of(scene, spec);
-  const References references = find_references(tuples, spec);
+  const Subject subject = subject_of(scene, spec);
+  const References references = find_references(subject, spec);
   std::vector<Setting> settings = settings_of(scene, number, spec);
   for (Setting& setting : settings) {
     PrecisionRow& row = setting.row;
@@ -205,8 +172,8 @@ std::vector<PrecisionRow> measure_precision(const Parameters& scene, std::uint64
     row.checks = references.checks;
     row.chaotic = references.chaotic;
     row.noise = references.noise;
-    row.independent = references.independent;
-    if (predicted_alone(row.parameters) <= too_long * spec.longest) measure_errors(setting, tuples, references, spec);
+    row.independent = subject.independent;
+    if (predicted_alone(row.parameters) <= too_long * spec.longest) measure_errors(setting, subject, references, spec);
   }
   measure_times(settings, spec);
   std::vector<PrecisionRow> rows;

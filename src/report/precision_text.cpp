@@ -17,9 +17,10 @@ std::string scene_line(const PrecisionRow& row, std::span<const std::string> axe
   return line.empty() ? fmt::format("scene {}", row.scene) : line;
 }
 
-/// "references: 400, 20 of them by both methods, which differ by at most 2e-17"
+/// "errors of eps_eff; references: 400; 20 checked by another method, which agrees to 2e-17"
 std::string reference_line(const PrecisionRow& row) {
-  std::string line = fmt::format("  references: {}; {} checked by {}", row.references, row.checks,
+  std::string line = fmt::format("  errors of {}; references: {}; {} checked by {}",
+                                 precision_quantity(row.parameters), row.references, row.checks,
                                  row.independent != 0 ? "another method" : "the same method at another accuracy "
                                                                            "(less independent)");
   if (row.checks > row.chaotic) line += fmt::format(", which agrees to {:.1e}", row.noise);
@@ -44,7 +45,7 @@ std::string precision_text(std::span<const PrecisionRow> rows, std::span<const s
                          "tuples", "failed", "compared", "median", "99 %", "max", "max v", "us/tuple", "force evals");
     before = &row;
     const bool exact = row.parameters.integrator == Integrator::exact;
-    const std::string setting = exact ? fmt::format("{:.0e}", row.setting) : fmt::format("tc/{:g}", row.setting);
+    const std::string setting = exact ? shown(row.setting, "{:.0e}") : fmt::format("tc/{:g}", row.setting);
     out += fmt::format("  {:<10} {:>9} ", name_of(row.parameters.integrator), setting);
     if (row.tuples == 0) {
       out += "left out: a tuple would take too long\n";

@@ -43,12 +43,9 @@ void require_scenes(const Entry& table, const Sweep& sweep) {
   for (const std::string& axis : sweep.axes())
     if (axis == "integrator" || axis == "steps_per_tc" || axis == "tolerance")
       refuse(table, fmt::format("'{}' is an axis of [sweep], but [precision] has its own", axis));
-  for (std::uint64_t scene = 0; scene < sweep.size(); ++scene) {
-    if (sweep.at(scene).geometry != Geometry::column)
-      refuse(table, "integrators are compared by the eps_eff of geometry = 'column' only");
+  for (std::uint64_t scene = 0; scene < sweep.size(); ++scene)
     if (sweep.at(scene).method != Method::md)
       refuse(table, "only soft spheres, method = 'md', have integrators to compare");
-  }
 }
 
 }  // namespace

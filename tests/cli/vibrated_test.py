@@ -133,12 +133,31 @@ class Run(unittest.TestCase):
             self.assertIn("square", name.read_text())
             self.assertIn("phase", (name.parent / "a-phase.svg").read_text())
 
-    def test_neither_precision_nor_stability(self):
-        self.sweep.spec.with_name("p.toml").write_text(SPEC.replace('["md", "ed"]', '"md"') + "[precision]\n")
-        for command, name in (("precision", "p.toml"), ("stability", "sweep.toml")):
-            ended = sigmasweep(command, name, cwd=self.sweep.path)
-            self.assertEqual(ended.returncode, 65, ended)
-            self.assertIn("geometry = 'column'", ended.stderr)
+    def test_studies(self):
+        plate = ("[sweep]\ngeometry = ['vibrated-column', 'vibrated-lattice']\nN = 3\nrows = 2\ncolumns = 2\n"
+                 "epsilon = 0.6\ntc = 1e-3\nalpha = 2\nfrequency = 20\nperiods = 1\ntransient = 0\n")
+        self.sweep.spec.with_name("p.toml").write_text(
+            plate + "[precision]\nsteps_per_tc = [20, 200]\ntuples = 5\nchecks = 2\nrepeats = 1\n")
+        ended = sigmasweep("precision", "p.toml", cwd=self.sweep.path)
+        self.assertEqual(ended.returncode, 0, ended)
+        self.assertEqual(ended.stdout.count("errors of h_cm/A0; references: 5; 2 checked by"), 2, ended.stdout)
+        with h5py.File(self.sweep.spec.with_name("p.h5")) as file:
+            rows = file["precision"][()]
+            exact = rows["integrator"] == h5py.check_enum_dtype(rows.dtype["integrator"])["exact"]
+        self.assertEqual(exact.sum(), 2)
+        self.assertTrue(numpy.isnan(rows["setting"][exact]).all() and numpy.isnan(rows["velocity_max"]).all())
+        self.assertEqual(rows["failures"].sum(), 0)
+        self.assertLess(rows["error_max"][exact].max(), 1e-6)
+        for steps, most in ((20, 0.1), (200, 0.01)):
+            errors = rows["error_max"][rows["setting"] == steps]
+            self.assertTrue(((errors > 1e-7) & (errors < most)).all(), errors)
+        self.sweep.spec.with_name("s.toml").write_text(
+            plate + "integrator = 'gear5'\nsteps_per_tc = [3, 5, 100]\n")
+        ended = sigmasweep("stability", "s.toml", cwd=self.sweep.path)
+        self.assertEqual(ended.returncode, 0, ended)
+        self.assertIn("0 unstable that were predicted to be stable", ended.stdout)
+        with h5py.File(self.sweep.spec.with_name("s.h5")) as file:
+            self.assertTrue((file["results"]["predicted_growth"] > 0).all())
 
 
 if __name__ == "__main__":

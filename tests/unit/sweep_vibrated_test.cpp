@@ -121,8 +121,9 @@ TEST(VibratedSweep, RefusesBadPlates) {
             "accepted");
 }
 
-TEST(VibratedSweep, IsNoPrecisionStudy) {
-  expect_part(wrong(soft + "alpha = 2\n[precision]\n"), "by the eps_eff of geometry = 'column' only");
+TEST(VibratedSweep, PrecisionComparesSoftSpheres) {
+  EXPECT_EQ(wrong(soft + "alpha = 2\n[precision]\n"), "accepted");
+  expect_part(wrong("method = \"ed\"\nalpha = 2\n[precision]\n"), "only soft spheres");
 }
 
 TEST(VibratedSweep, PlotsTheRiseAgainstAlphaUnlessToldOtherwise) {

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sigmasweep/sweep/precision.hpp"
@@ -29,6 +30,9 @@ namespace sigmasweep {
 /// leaves: it stops once later contacts cannot change eps_eff by more than 1e-3 of the tolerance (1e-13 for fixed
 /// steps), which leaves the square root of that in velocities open.
 std::vector<PrecisionRow> measure_precision(const Parameters& scene, std::uint64_t number, const PrecisionSpec& spec);
+
+/// What the errors are of: "eps_eff", or of what vibrates "h_cm/A0".
+std::string_view precision_quantity(const Parameters& parameters);
 
 /// Predicted CPU time of that, s.
 double predicted_precision_time(const Parameters& scene, const PrecisionSpec& spec);
