@@ -50,8 +50,12 @@ void plot_films(const StoredSweep& stored, const PlotSpec& spec, const std::stri
     panels.push_back({row, read(trajectory_file(table, row.index), row, sweep.trajectory()->samples)});
   const std::string title = spec.title.empty() ? sweep.title() : spec.title;
   const auto planes = std::ranges::count_if(panels, &Trajectory::is_plane, &Panel::trajectory);
-  if (planes == std::ssize(panels))
-    return (spec.by_phase ? plot_velocity_fields : plot_lattices)(panels, sweep.axes(), title, file);
+  if (planes == std::ssize(panels) && spec.by_phase)
+    return plot_velocity_fields(panels, sweep.axes(), spec.mean_over, title, file);
+  if (!spec.mean_over.empty())
+    throw UsageError("plot: of trajectories only velocities of lattices by phase have means: 'mean_over' needs "
+                     "geometry = 'vibrated-lattice' and x = 'phase'");
+  if (planes == std::ssize(panels)) return plot_lattices(panels, sweep.axes(), title, file);
   if (planes > 0)
     throw UsageError("plot: trajectories of columns and of lattices find no place on one picture: choose with 'where' "
                      "in [plot]");

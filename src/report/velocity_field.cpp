@@ -29,8 +29,9 @@ std::vector<std::size_t> samples_of(const Panel& panel, std::size_t phase, std::
 }
 
 /// Cells up to the highest bead, or to four times what the closed lattice has in rows.
-VelocityField empty_field(const Panel& panel) {
-  const Trajectory& t = panel.trajectory;
+VelocityField empty_field(Films films) {
+  const Panel& first = *films.front();
+  const Trajectory& t = first.trajectory;
   const double d = std::accumulate(t.diameter.begin(), t.diameter.end(), 0.0) / static_cast<double>(t.beads());
   VelocityField field;
   field.columns = static_cast<std::size_t>(std::max(1.0, std::round(t.box_width / d)));
@@ -38,11 +39,12 @@ VelocityField empty_field(const Panel& panel) {
   field.height = d;
   field.periodic = t.periodic;
   double highest = d;
-  for (std::size_t k = 0; k < t.z.size(); ++k)
-    if (std::isfinite(t.z[k]))
-      highest = std::max(highest, t.z[k] - plate_height(panel.row.parameters, t.time[k / t.beads()]));
+  for (const Panel* film : films)
+    for (std::size_t k = 0; k < film->trajectory.z.size(); ++k)
+      if (const double z = film->trajectory.z[k]; std::isfinite(z))
+        highest = std::max(highest, z - plate_height(film->row.parameters, film->trajectory.time[k / t.beads()]));
   field.rows = static_cast<std::size_t>(
-      std::min(std::ceil(highest / d), 4.0 * static_cast<double>(panel.row.parameters.rows)));
+      std::min(std::ceil(highest / d), 4.0 * static_cast<double>(first.row.parameters.rows)));
   field.velocity.resize(field.columns * field.rows);
   field.filled.resize(field.columns * field.rows);
   return field;
@@ -50,28 +52,32 @@ VelocityField empty_field(const Panel& panel) {
 
 }  // namespace
 
-VelocityField velocity_field(const Panel& panel, std::size_t phase, std::size_t phases) {
+VelocityField velocity_field(Films films, std::size_t phase, std::size_t phases) {
   constexpr double enough = 0.05;
-  const Trajectory& t = panel.trajectory;
-  VelocityField field = empty_field(panel);
+  VelocityField field = empty_field(films);
   std::vector<double> beads(field.velocity.size()), rise(field.rows), count(field.rows);
-  const std::vector<std::size_t> samples = samples_of(panel, phase, phases);
-  for (const std::size_t s : samples)
-    for (std::size_t k = s * t.beads(); k < (s + 1) * t.beads(); ++k) {
-      const double x = t.x[k] - t.box_width * std::floor(t.x[k] / t.box_width);
-      const double z = t.z[k] - plate_height(panel.row.parameters, t.time[s]);
-      const double row = std::floor(z / field.height);
-      if (!(row >= 0.0 && row < static_cast<double>(field.rows))) continue;  // nor where the solver gave up
-      const Vec2<double> v{t.x_velocity[k], t.velocity[k]};
-      const auto column = std::min(static_cast<std::size_t>(x / field.width), field.columns - 1);
-      const std::size_t cell = static_cast<std::size_t>(row) * field.columns + column;
-      field.velocity[cell] += v;
-      beads[cell] += 1.0;
-      rise[static_cast<std::size_t>(row)] += v.z;
-      count[static_cast<std::size_t>(row)] += 1.0;
-    }
+  std::size_t all = 0;
+  for (const Panel* film : films) {
+    const std::vector<std::size_t> samples = samples_of(*film, phase, phases);
+    all += samples.size();
+    const Trajectory& t = film->trajectory;
+    for (const std::size_t s : samples)
+      for (std::size_t k = s * t.beads(); k < (s + 1) * t.beads(); ++k) {
+        const double x = t.x[k] - t.box_width * std::floor(t.x[k] / t.box_width);
+        const double z = t.z[k] - plate_height(film->row.parameters, t.time[s]);
+        const double row = std::floor(z / field.height);
+        if (!(row >= 0.0 && row < static_cast<double>(field.rows))) continue;  // nor where the solver gave up
+        const Vec2<double> v{t.x_velocity[k], t.velocity[k]};
+        const auto column = std::min(static_cast<std::size_t>(x / field.width), field.columns - 1);
+        const std::size_t cell = static_cast<std::size_t>(row) * field.columns + column;
+        field.velocity[cell] += v;
+        beads[cell] += 1.0;
+        rise[static_cast<std::size_t>(row)] += v.z;
+        count[static_cast<std::size_t>(row)] += 1.0;
+      }
+  }
   for (std::size_t cell = 0; cell < beads.size(); ++cell) {
-    field.filled[cell] = beads[cell] > 0.0 && beads[cell] >= enough * static_cast<double>(samples.size());
+    field.filled[cell] = beads[cell] > 0.0 && beads[cell] >= enough * static_cast<double>(all);
     const std::size_t row = cell / field.columns;
     field.velocity[cell] = field.filled[cell] ? (1.0 / beads[cell]) * field.velocity[cell] -
                                                     Vec2<double>{0.0, rise[row] / count[row]}
@@ -96,6 +102,22 @@ Rolls rolls_of(const VelocityField& field) {
       if (twice > field.columns || both) sums[1] += curl, corners[1] += 1.0;
     }
   return {corners[0] > 0.0 ? sums[0] / corners[0] : 0.0, corners[1] > 0.0 ? sums[1] / corners[1] : 0.0};
+}
+
+MeanRolls mean_rolls(Films films, std::size_t phase, std::size_t phases) {
+  const auto n = static_cast<double>(films.size());
+  Rolls sum, squares;
+  for (const Panel* film : films) {
+    const Rolls rolls = rolls_of(velocity_field({&film, 1}, phase, phases));
+    sum.left += rolls.left;
+    sum.right += rolls.right;
+    squares.left += rolls.left * rolls.left;
+    squares.right += rolls.right * rolls.right;
+  }
+  const auto error = [n](double s, double s2) {
+    return n > 1.0 ? std::sqrt(std::max(s2 - s * s / n, 0.0) / (n * (n - 1.0))) : std::nan("");
+  };
+  return {{sum.left / n, sum.right / n}, {error(sum.left, squares.left), error(sum.right, squares.right)}};
 }
 
 }  // namespace sigmasweep

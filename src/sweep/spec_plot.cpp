@@ -139,7 +139,7 @@ void require_keys_of(PlotKind kind, const Entry& plot) {
   if (kind == PlotKind::points) return;
   std::vector<std::string_view> keys{"name", "kind", "title", "where"};
   if (kind == PlotKind::stability) keys.insert(keys.end(), {"y", "y_scale"});
-  if (kind == PlotKind::trajectories) keys.emplace_back("x");
+  if (kind == PlotKind::trajectories) keys.insert(keys.end(), {"x", "mean_over"});
   for (const Entry& entry : entries(as_table(plot), *plot.file, plot.path))
     if (std::ranges::find(keys, entry.name) == keys.end())
       refuse(entry, fmt::format("a plot of kind '{}' has no use for it", kinds[static_cast<std::size_t>(kind)]));

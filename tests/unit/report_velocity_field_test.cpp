@@ -48,6 +48,11 @@ Panel stirred(const Velocity& velocity, bool periodic = false) {
 
 constexpr double roundings = 1e-12;
 
+VelocityField field_of(const Panel& panel, std::size_t phase) {
+  const Panel* film = &panel;
+  return velocity_field({&film, 1}, phase, 4);
+}
+
 /// Counterclockwise with 3/s in the second quarter of the period, the other way round in the others.
 TEST(VelocityField, RigidRotationByPhase) {
   const Panel panel = stirred([](double x, double z, double phase) {
@@ -56,7 +61,7 @@ TEST(VelocityField, RigidRotationByPhase) {
   });
   for (std::size_t phase = 0; phase < 4; ++phase) {
     const double rate = phase == 1 ? 3.0 : -1.0;
-    const VelocityField field = velocity_field(panel, phase, 4);
+    const VelocityField field = field_of(panel, phase);
     ASSERT_EQ(field.columns, 8u);
     ASSERT_EQ(field.rows, 6u);
     for (std::size_t row = 0; row < 6; ++row)
@@ -76,7 +81,7 @@ TEST(VelocityField, PairOfRolls) {
   for (const bool periodic : {false, true}) {
     const auto pair = [](double x, double, double) { return Vec2<double>{0.0, -2.0 * std::abs(x)}; };
     const Panel panel = stirred(pair, periodic);
-    const Rolls rolls = rolls_of(velocity_field(panel, 2, 4));
+    const Rolls rolls = rolls_of(field_of(panel, 2));
     // In each half 3 corners between cells, and those in the middle and at the joint, where the curl is 0.
     const double share = periodic ? 3.0 / 5.0 : 3.0 / 4.0;
     EXPECT_NEAR(rolls.left, 2.0 * share, 1e3 * roundings);
@@ -90,7 +95,7 @@ TEST(VelocityField, TransientAndRareGuestsAreLeftOut) {
   Trajectory& t = panel.trajectory;
   for (std::size_t k = 0; k < 120 * 48; ++k) t.x_velocity[k] = 1e6;  // three of nine periods
   t.z[200 * 48] += 9e-3;  // sample 200 is the first of a period
-  const VelocityField field = velocity_field(panel, 0, 4);
+  const VelocityField field = field_of(panel, 0);
   EXPECT_EQ(field.rows, 10u);
   EXPECT_FALSE(field.has(0, 9));
   for (std::size_t column = 0; column < 8; ++column) {
@@ -99,9 +104,24 @@ TEST(VelocityField, TransientAndRareGuestsAreLeftOut) {
   }
   EXPECT_NEAR(rolls_of(field).right, 2.0, 1e-3);  // one bead of one sample is missing in the mean velocity
   for (double& z : t.z) z = std::nan("");
-  const Rolls nothing = rolls_of(velocity_field(panel, 0, 4));
+  const Rolls nothing = rolls_of(field_of(panel, 0));
   EXPECT_EQ(nothing.left, 0.0);
   EXPECT_EQ(nothing.right, 0.0);
+}
+
+/// Three containers that rotate at 1/s, 2/s and 6/s.
+TEST(VelocityField, FilmsAreAveraged) {
+  std::vector<Panel> panels;
+  for (const double rate : {1.0, 2.0, 6.0})
+    panels.push_back(stirred([rate](double x, double z, double) { return Vec2<double>{-rate * z, rate * x}; }));
+  const std::vector<const Panel*> films{&panels[0], &panels[1], &panels[2]};
+  const VelocityField field = velocity_field(films, 0, 4);
+  EXPECT_NEAR(field.at(7, 0).z, 3.0 * 3.5e-3, roundings);
+  const MeanRolls rolls = mean_rolls(films, 0, 4);
+  EXPECT_NEAR(rolls.mean.left, 6.0, 1e3 * roundings);
+  // Curls of 2, 4 and 12: variance 28, standard error sqrt(28/3).
+  EXPECT_NEAR(rolls.error.right, std::sqrt(28.0 / 3.0), 1e3 * roundings);
+  EXPECT_TRUE(std::isnan(mean_rolls(Films(films).first(1), 0, 4).error.left));
 }
 
 TEST(PlotVelocityFields, DrawsEveryForm) {
@@ -112,15 +132,20 @@ TEST(PlotVelocityFields, DrawsEveryForm) {
   const std::vector<Panel> panels{stirred(roll), stirred(roll, true), nothing};
   const std::vector<std::string> differ{"alpha"};
   for (const char* name : {"a.svg", "a.png", "a.pdf"}) {
-    plot_velocity_fields(panels, differ, "rolls", directory.file(name));
+    plot_velocity_fields(panels, differ, {}, "rolls", directory.file(name));
     EXPECT_GT(std::filesystem::file_size(directory.file(name)), 2000u);
   }
   const std::string svg = samples::bytes_of(directory.file("a.svg"));
   for (const char* words : {"left 6/s, right 6/s", "longest arrow", "from 0.25 to 0.5"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;
+  std::vector<Panel> seeds{stirred(roll), stirred(roll)};
+  seeds[1].row.parameters.seed = 2;
+  const std::vector<std::string> axes{"seed"};
+  plot_velocity_fields(seeds, axes, axes, "rolls", directory.file("mean.svg"));
+  EXPECT_NE(samples::bytes_of(directory.file("mean.svg")).find("mean of 2"), std::string::npos);
   Panel flight = stirred(roll);
   flight.row.parameters.geometry = Geometry::lattice;
-  EXPECT_THROW(plot_velocity_fields(std::vector<Panel>{flight}, differ, "", directory.file("b.svg")), UsageError);
+  EXPECT_THROW(plot_velocity_fields(std::vector<Panel>{flight}, differ, {}, "", directory.file("b.svg")), UsageError);
 }
 
 }  // namespace
