@@ -4,24 +4,17 @@
 
 #include "commands.hpp"
 #include "plot_films.hpp"
+#include "plot_named.hpp"
+#include "precision_pictures.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/plot.hpp"
 #include "sigmasweep/report/precision.hpp"
 #include "sigmasweep/report/stability.hpp"
-#include "sigmasweep/sweep/spelling.hpp"
+#include "sigmasweep/store/precision_table.hpp"
 #include "stored_sweep.hpp"
 
 namespace sigmasweep {
 namespace {
-
-const PlotSpec& plot_named(const std::vector<PlotSpec>& plots, const std::string& name) {
-  if (const auto found = std::ranges::find(plots, name, &PlotSpec::name); found != plots.end()) return *found;
-  std::vector<std::string_view> known;
-  for (const PlotSpec& plot : plots)
-    if (!plot.name.empty()) known.push_back(plot.name);
-  throw UsageError(fmt::format("the table's spec has no plot '{}'{}", name,
-                               known.empty() ? "; none has a name" : hint(name, known)));
-}
 
 bool has_overrides(const PlotOptions& o) {
   return !o.x.empty() || !o.y.empty() || !o.x_scale.empty() || !o.y_scale.empty() || !o.series.empty();
@@ -37,11 +30,6 @@ void override(PlotSpec& spec, const PlotOptions& options) {
   spec.kind = PlotKind::points;
   spec.fit.reset();
   spec.guides.clear();
-}
-
-std::string with_name(const std::filesystem::path& file, const std::string& name) {
-  const std::string stem = file.stem().string() + "-" + name;
-  return (file.parent_path() / (stem + file.extension().string())).string();
 }
 
 void draw(const StoredSweep& stored, const PlotSpec& spec, const PlotOptions& options, const std::string& file) {
@@ -62,11 +50,16 @@ void draw(const StoredSweep& stored, const PlotSpec& spec, const PlotOptions& op
 }  // namespace
 
 int plot(const PlotOptions& options) {
-  const StoredSweep stored = read_stored_sweep(options.table);
-  const std::vector<PlotSpec> all = stored.sweep ? stored.sweep->plots() : std::vector<PlotSpec>(1);
   const std::filesystem::path table(options.table);
   const std::string main_file =
       options.output.empty() ? table.filename().replace_extension(".svg").string() : options.output;
+  if (is_precision_table(options.table)) {
+    if (has_overrides(options)) throw UsageError("plot: a precision study has its own axes and series");
+    draw_stored_precision(options.table, main_file, options.name);
+    return 0;
+  }
+  const StoredSweep stored = read_stored_sweep(options.table);
+  const std::vector<PlotSpec> all = stored.sweep ? stored.sweep->plots() : std::vector<PlotSpec>(1);
   if (options.kind == "precision") {
     plot_precision_of(stored.table.rows, stored.table.info.title, main_file);
     fmt::print("{}\n", main_file);
@@ -84,7 +77,7 @@ int plot(const PlotOptions& options) {
   }
   for (const PlotSpec& spec : plots) {
     const bool has_main_file = spec.name == all[0].name || (!options.name.empty() && !options.output.empty());
-    draw(stored, spec, options, has_main_file ? main_file : with_name(main_file, spec.name));
+    draw(stored, spec, options, has_main_file ? main_file : picture_named(main_file, spec.name));
   }
   return 0;
 }

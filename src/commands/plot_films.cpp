@@ -44,7 +44,7 @@ void plot_films(const StoredSweep& stored, const PlotSpec& spec, const std::stri
     const Row& row = stored.table.rows[*place];
     if (std::isfinite(show_time(row.parameters, row.collision)) && chosen(row)) rows.push_back(row);
   }
-  require_room_for(rows.size());
+  if (spec.mean_over.empty()) require_room_for(rows.size());
   std::vector<Panel> panels;
   for (const Row& row : rows)
     panels.push_back({row, read(trajectory_file(table, row.index), row, sweep.trajectory()->samples)});

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <vector>
@@ -15,11 +14,11 @@
 #include "engine_stop.hpp"
 #include "exit_codes.hpp"
 #include "on_manager.hpp"
+#include "precision_pictures.hpp"
 #include "provenance.hpp"
 #include "sigmasweep/errors.hpp"
 #include "sigmasweep/report/precision.hpp"
 #include "sigmasweep/report/progress.hpp"
-#include "sigmasweep/report/row_choice.hpp"
 #include "sigmasweep/store/precision_table.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
@@ -113,25 +112,6 @@ std::vector<Field> parameters_of(const Sweep& sweep) {
   return parameters;
 }
 
-/// The scenes that [plot] chooses, on a picture in both forms.
-void draw(const Sweep& sweep, std::span<const PrecisionRow> rows, const std::string& table) {
-  const PlotSpec& plot = sweep.plots().front();
-  RowChoice chosen(plot.where, parameter_fields());
-  std::vector<PrecisionRow> drawn;
-  std::ranges::copy_if(rows, std::back_inserter(drawn), [&](const PrecisionRow& each) {
-    Row row;
-    row.parameters = each.parameters;
-    return chosen(row);
-  });
-  if (drawn.empty()) throw UsageError("plot: no scene satisfies 'where' in [plot]");
-  const std::string title = plot.title.empty() ? sweep.title() : plot.title;
-  for (const char* form : {".svg", ".png"}) {
-    const std::string picture = std::filesystem::path(table).replace_extension(form).string();
-    plot_precision(drawn, sweep.axes(), title, picture);
-    fmt::print(stderr, "{}\n", picture);
-  }
-}
-
 }  // namespace
 
 int precision(World& world, const PrecisionOptions& options) {
@@ -159,7 +139,9 @@ int precision(World& world, const PrecisionOptions& options) {
                  rows.front().ranks_per_core);
     write_precision_table(table, table_info(*sweep, start, world.size()), parameters_of(*sweep), rows);
     fmt::print(stderr, "{}\n", table);
-    if (options.plots) draw(*sweep, rows, table);
+    for (const char* form : {".svg", ".png"})
+      if (options.plots)
+        draw_precision(*sweep, rows, std::filesystem::path(table).replace_extension(form).string(), "", stderr);
     return success;
   });
 }

@@ -19,37 +19,48 @@ namespace sigmasweep {
 namespace {
 
 constexpr std::uint64_t most_rows = 1'000'000;
-/// A second each: what is beyond counts as stable. Dashpots of laws that are not linear take up to 0.1 s to find.
-constexpr std::size_t most_kinds = 20'000, most_slow_dashpots = 50;
+/// A second or two each; what is beyond counts as stable. Dashpots of laws that are not linear take up to 0.1 s to find,
+/// and so do the modes of a lattice of unequal beads.
+constexpr std::size_t most_kinds = 20'000, most_slow_kinds = 30;
 
-/// What stability depends on: of equal beads neither v0 nor s0.
+/// What stability depends on beside integrator and step: of equal beads neither v0 nor s0.
 auto kind(const Parameters& p) {
-  const bool linear = exponents(p).linear();
-  return std::tuple(p.integrator, p.steps_per_tc, p.epsilon, p.N, p.law, p.beta, p.gamma, p.wall,
+  return std::tuple(p.epsilon, p.N, p.law, p.beta, p.gamma, p.wall,
                     p.K_over_m > 0.0 ? std::tuple(p.K_over_m, p.D_n, p.v0, p.tc) : std::tuple(0.0, 0.0, 0.0, 0.0),
                     p.width > 0.0 ? std::tuple(p.width, p.d, p.seed) : std::tuple(0.0, 0.0, std::int64_t{0}),
                     is_lattice(p) ? std::tuple(p.rows, p.side_walls, p.D_t * p.tc)
                                   : std::tuple(std::int64_t{0}, SideWalls::periodic, 0.0),
-                    is_vibrated(p) && !linear ? std::tuple(p.A0, p.frequency) : std::tuple(0.0, 0.0));
+                    is_vibrated(p) && !exponents(p).linear() ? std::tuple(p.A0, p.frequency, p.v0)
+                                                             : std::tuple(0.0, 0.0, 0.0));
 }
+
+/// The closed contacts of kinds that were seen; nullptr for those for which there is no time.
+class Kinds {
+ public:
+  const ClosedContacts* find(const Parameters& p) {
+    const auto key = kind(p);
+    if (const auto known = known_.find(key); known != known_.end()) return &known->second;
+    if (known_.size() >= most_kinds || !has_time_for(p)) return nullptr;
+    return &known_.try_emplace(key, closed_contacts(p)).first->second;
+  }
+
+ private:
+  bool has_time_for(const Parameters& p) {
+    if (is_lattice(p) && p.width > 0.0 && ++slow_lattices_ > most_slow_kinds) return false;
+    const auto [beta, gamma] = exponents(p);
+    if (exponents(p).linear() || p.K_over_m > 0.0) return true;
+    if (slow_dashpots_.size() < most_slow_kinds) slow_dashpots_.insert({beta, gamma, p.epsilon});
+    return slow_dashpots_.contains({beta, gamma, p.epsilon});
+  }
+
+  std::map<decltype(kind(Parameters{})), ClosedContacts> known_;
+  std::set<std::array<double, 3>> slow_dashpots_;
+  std::size_t slow_lattices_ = 0;
+};
 
 struct Unstable {
   std::uint64_t rows = 0;
   double lowest = 1.0, highest = 0.0;  ///< epsilon
-};
-
-/// The first few of the dashpots that take long to find.
-class SlowDashpots {
- public:
-  bool take(const Parameters& p) {
-    const auto [beta, gamma] = exponents(p);
-    if (exponents(p).linear() || p.K_over_m > 0.0) return true;
-    if (known_.size() < most_slow_dashpots) known_.insert({beta, gamma, p.epsilon});
-    return known_.contains({beta, gamma, p.epsilon});
-  }
-
- private:
-  std::set<std::array<double, 3>> known_;
 };
 
 }  // namespace
@@ -57,18 +68,18 @@ class SlowDashpots {
 std::string stability_warning(const Sweep& sweep) {
   const bool one_integrator = std::ranges::find(sweep.axes(), "integrator") == sweep.axes().end();
   if (one_integrator && sweep.at(0).integrator == Integrator::exact) return {};
-  std::map<decltype(kind(Parameters{})), bool> known;
-  SlowDashpots dashpots;
+  Kinds kinds;
+  std::map<std::tuple<const ClosedContacts*, Integrator, double>, bool> stable;
   std::map<std::pair<Integrator, double>, Unstable> unstable;
   const std::uint64_t looked_at = std::min(sweep.size(), most_rows), stride = sweep.size() / looked_at;
   std::uint64_t all = 0;
   for (std::uint64_t k = 0; k < looked_at; ++k) {
     const Parameters p = sweep.at(k * stride);
     if (!has_given_steps(p)) continue;
-    const auto seen = known.find(kind(p));
-    if (seen == known.end() && (known.size() >= most_kinds || !dashpots.take(p))) continue;
-    const auto [found, is_new] = known.try_emplace(kind(p));
-    if (is_new) found->second = is_stable(p);
+    const ClosedContacts* closed = kinds.find(p);
+    if (!closed) continue;
+    const auto [found, is_new] = stable.try_emplace({closed, p.integrator, p.steps_per_tc});
+    if (is_new) found->second = is_stable(*closed, p.integrator, 1.0 / p.steps_per_tc);
     if (found->second) continue;
     Unstable& group = unstable[{p.integrator, p.steps_per_tc}];
     group.lowest = group.rows ? std::min(group.lowest, p.epsilon) : p.epsilon;

@@ -22,7 +22,7 @@ struct Look {
   std::string_view size, colour, meaning;
 };
 constexpr auto looks = std::to_array<Look>({
-    {Observed::good, 5, "1.0", "#009E73", "ε_{eff} off by < 1 %"},
+    {Observed::good, 5, "1.0", "#009E73", "off by < 1 %"},
     {Observed::fair, 5, "1.0", "#E6C700", "< 10 %"},
     {Observed::wrong, 5, "1.0", "#CC79A7", "more"},
     {Observed::unstable, 2, "1.0", "#C03000", "unstable"},

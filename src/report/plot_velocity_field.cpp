@@ -43,6 +43,13 @@ void fill(Strip& strip) {
                        0.5 * field.width, frame_width);
 }
 
+void require_alike(Films films) {
+  const Trajectory& first = films.front()->trajectory;
+  for (const Panel* film : films)
+    if (film->trajectory.beads() != first.beads() || film->trajectory.box_width != first.box_width)
+      throw UsageError("plot: 'mean_over' can only average containers of equal width with equally many beads");
+}
+
 std::vector<Strip> strips_of(std::span<const Panel> panels, std::span<const std::string> differ, bool means) {
   std::vector<Strip> strips;
   std::map<std::string, std::size_t> known;
@@ -54,12 +61,16 @@ std::vector<Strip> strips_of(std::span<const Panel> panels, std::span<const std:
     if (is_new || !means) strips.emplace_back();
     strips[means ? place->second : strips.size() - 1].films.push_back(&panel);
   }
-  for (Strip& strip : strips) fill(strip);
+  for (Strip& strip : strips) {
+    require_alike(strip.films);
+    fill(strip);
+  }
   return strips;
 }
 
 /// "1.2", or with the standard error of a mean "1.2 ± 0.3", 1/s.
 std::string curl(double mean, double error) {
+  if (!(mean == mean)) return "none";
   return error == error ? fmt::format("{:.2g} ± {:.1g}/s", mean, error) : fmt::format("{:.3g}/s", mean);
 }
 
@@ -112,7 +123,6 @@ std::string strip_script(std::size_t number, const Strip& strip, const Canvas& c
 
 void plot_velocity_fields(std::span<const Panel> panels, std::span<const std::string> axes,
                           std::span<const std::string> mean_over, const std::string& title, const std::string& path) {
-  require_room_for(panels.size());
   for (const Panel& panel : panels)
     if (!is_vibrated(panel.row.parameters) || !panel.trajectory.is_plane())
       throw UsageError("plot: fields of velocity by phase are of vibrated lattices only");
@@ -122,6 +132,7 @@ void plot_velocity_fields(std::span<const Panel> panels, std::span<const std::st
     return std::ranges::find(mean_over, axis) == mean_over.end();
   });
   const std::vector<Strip> strips = strips_of(panels, differ, !mean_over.empty());
+  require_room_for(strips.size());
   Canvas canvas{2.0 * side + phases * (frame_width + frame_gap) - frame_gap, head};
   for (const Strip& strip : strips) canvas.height += above + strip.view.height() + below;
   std::string script = fmt::format("set encoding utf8\nset terminal {}\nset multiplot title {} noenhanced\n",

@@ -5,24 +5,10 @@
 
 #include "precision_references.hpp"
 #include "sigmasweep/scene/plate_motion.hpp"
-#include "sigmasweep/scene/random.hpp"
 #include "sigmasweep/solve/thread_clock.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 
 namespace sigmasweep {
-
-double chance(const PrecisionSpec& spec, const char* what, std::uint64_t k) {
-  return unit_interval(random_bits(stream_key(spec.seed, what), k));
-}
-
-std::vector<Parameters> with_other_sigmas(const Parameters& scene, const PrecisionSpec& spec) {
-  std::vector<Parameters> tuples(scene.sigma > 0.0 ? spec.tuples : 1, scene);
-  for (std::size_t k = 0; k < tuples.size(); ++k) {
-    tuples[k].sigma *= 1.0 + scene_change * (2.0 * chance(spec, "sigma", k) - 1.0);
-    tuples[k].s0 = tuples[k].sigma * tuples[k].v0 * tuples[k].tc;
-  }
-  return tuples;
-}
 
 namespace {
 
@@ -64,9 +50,9 @@ std::vector<Setting> settings_of(const Parameters& scene, std::uint64_t number, 
   return settings;
 }
 
-/// Of the solver alone: what a sweep adds to a column's scheme of fixed steps is the exact solution.
+/// Of the solver alone: what a sweep adds to fixed steps of what flies is the exact solution.
 double predicted_alone(const Parameters& p) {
-  if (p.integrator == Integrator::exact || p.geometry != Geometry::column) return predicted_time(p);
+  if (p.integrator == Integrator::exact || is_vibrated(p)) return predicted_time(p);
   Parameters exact = p;
   exact.integrator = Integrator::exact;
   return predicted_time(p) - predicted_time(exact);

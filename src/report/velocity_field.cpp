@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "sigmasweep/scene/plate_motion.hpp"
 
@@ -42,12 +43,21 @@ VelocityField empty_field(Films films) {
   for (const Panel* film : films)
     for (std::size_t k = 0; k < film->trajectory.z.size(); ++k)
       if (const double z = film->trajectory.z[k]; std::isfinite(z))
-        highest = std::max(highest, z - plate_height(film->row.parameters, film->trajectory.time[k / t.beads()]));
+        highest = std::max(highest, z - plate_height(film->row.parameters, film->trajectory.time[k / film->trajectory.beads()]));
   field.rows = static_cast<std::size_t>(
       std::min(std::ceil(highest / d), 4.0 * static_cast<double>(first.row.parameters.rows)));
   field.velocity.resize(field.columns * field.rows);
   field.filled.resize(field.columns * field.rows);
   return field;
+}
+
+/// Of independent values; NaN where there are not enough.
+std::pair<double, double> mean_and_error(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, std::sqrt(squares / (n * (n - 1.0)))};
 }
 
 }  // namespace
@@ -101,23 +111,19 @@ Rolls rolls_of(const VelocityField& field) {
       if (twice < field.columns || both) sums[0] += curl, corners[0] += 1.0;
       if (twice > field.columns || both) sums[1] += curl, corners[1] += 1.0;
     }
-  return {corners[0] > 0.0 ? sums[0] / corners[0] : 0.0, corners[1] > 0.0 ? sums[1] / corners[1] : 0.0};
+  return {sums[0] / corners[0], sums[1] / corners[1]};  // 0/0 where there are none
 }
 
 MeanRolls mean_rolls(Films films, std::size_t phase, std::size_t phases) {
-  const auto n = static_cast<double>(films.size());
-  Rolls sum, squares;
+  std::vector<double> left, right;
   for (const Panel* film : films) {
     const Rolls rolls = rolls_of(velocity_field({&film, 1}, phase, phases));
-    sum.left += rolls.left;
-    sum.right += rolls.right;
-    squares.left += rolls.left * rolls.left;
-    squares.right += rolls.right * rolls.right;
+    if (rolls.left == rolls.left) left.push_back(rolls.left);
+    if (rolls.right == rolls.right) right.push_back(rolls.right);
   }
-  const auto error = [n](double s, double s2) {
-    return n > 1.0 ? std::sqrt(std::max(s2 - s * s / n, 0.0) / (n * (n - 1.0))) : std::nan("");
-  };
-  return {{sum.left / n, sum.right / n}, {error(sum.left, squares.left), error(sum.right, squares.right)}};
+  const auto [l, l_error] = mean_and_error(left);
+  const auto [r, r_error] = mean_and_error(right);
+  return {{l, r}, {l_error, r_error}};
 }
 
 }  // namespace sigmasweep

@@ -29,14 +29,15 @@ using Films = std::span<const Panel* const>;
 VelocityField velocity_field(Films films, std::size_t phase, std::size_t phases);
 
 /// How strong convection rolls are: the mean curl of the field (counterclockwise is positive; a rigid rotation has twice
-/// its angular velocity) in the left and in the right half, 1/s; of the corners between four cells that are filled, 0
+/// its angular velocity) in the left and in the right half, 1/s; of the corners between four cells that are filled, NaN
 /// where there are none. A pair of rolls that goes up in the middle and down at the sides has left > 0 > right.
 struct Rolls {
   double left = 0.0, right = 0.0;
 };
 Rolls rolls_of(const VelocityField& field);
 
-/// Of several films, each for itself: the mean, and its standard error (NaN of a single one).
+/// Of several films, each for itself: the mean of those that have any corners, and its standard error (NaN of a single
+/// one).
 struct MeanRolls {
   Rolls mean, error;
 };

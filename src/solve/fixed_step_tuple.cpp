@@ -13,7 +13,7 @@ namespace sigmasweep {
 namespace {
 
 constexpr double hopeless = 1e5;  // growth in one tc
-constexpr double dense = 0.1;     // sigma up to which all contacts are closed for a while
+constexpr double dense = 0.1;     // sigma up to which the column is closed as a whole for a while
 constexpr double fewest_steps = 20.0, most_steps = 1e6;  // a tc
 constexpr double most_work = 1e9;                         // steps times contacts of a collision
 constexpr double margin = 1.2, least_factor = 1.5, most_factor = 16.0;
@@ -48,14 +48,13 @@ Collision exact_of(Parameters p, Patience* patience) {
   return simulate(p, patience);
 }
 
-/// Beads that meet one by one are stable where the closed column is not; what is sure is that one meets the wall.
+/// Beads that meet one by one are stable where the closed column is not, and of a lattice's motions some may never
+/// begin; what is sure is that one bead meets the wall.
 bool is_hopeless(const Parameters& p) {
   Column<double> column = reduced_column<double>(p);
   if (!column.is_uniform()) return false;
-  column.N = 1;
-  const bool is_closed = p.sigma <= dense && (!is_lattice(p) || p.rows > 1);
-  return growth_in_a_contact(is_closed ? closed_contacts(p) : closed_contacts(column), p.integrator,
-                             1.0 / p.steps_per_tc) > hopeless;
+  if (is_lattice(p) || p.sigma > dense) column.N = 1;
+  return growth_in_a_contact(closed_contacts(column), p.integrator, 1.0 / p.steps_per_tc) > hopeless;
 }
 
 Collision with_given_steps(const Parameters& p, Patience* patience) {

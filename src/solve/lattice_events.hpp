@@ -46,6 +46,8 @@ class LatticeEvents {
 
  private:
   using Cluster = LatticeCluster<Real, Ground>;
+  /// Beads of a cluster that is moved as a whole.
+  static constexpr std::size_t most_whole = Ground::moves ? SIZE_MAX : 60;
   static constexpr Real never = std::numeric_limits<Real>::infinity();
 
   struct Bead {
@@ -108,6 +110,7 @@ class LatticeEvents {
   bool locate(Real& t, std::size_t i, const Neighbour<Real>& other, std::span<const std::size_t> whole);
   void touch(std::size_t i, const Neighbour<Real>& other, const Real& t);
   void count_contact_time(const Real& t);
+  void note_wait(const Real& t);
   void part(std::size_t i, const Neighbour<Real>& other, const Real& t);
   void note_overlaps(std::size_t i, const Real& t);
   void gather_near(std::vector<std::uint32_t> layer, const Real& t, std::vector<Placed>& placed);
@@ -121,6 +124,9 @@ class LatticeEvents {
   Real approach();
   Real held();
   Real later_change(const Real& loss) const;
+  Real kinetic(const Real& t) const;
+  Real energy_at_start() const;
+  void doubt_the_end(LatticeOutcome<Real>& outcome);
   double energy(const Real& t) const requires(Ground::moves);
   void handle_next();
   Status why_stop();
@@ -145,6 +151,7 @@ class LatticeEvents {
   Real now_{}, epoch_{};        ///< the clock began at epoch_
   Real last_touch_{}, last_change_{}, wall_closed_ = -Real(1), wall_opened_{}, x_max_{};
   Real contact_time_{}, counted_to_{};
+  Real missed_ = never, kinetic_then_{};  ///< of the wait that was nearest to quiet_time()
   std::uint64_t closed_ = 0, contacts_ = 0, work_ = 0, all_work_ = 0;
   PlateWork work_done_;
   bool lost_ = false;

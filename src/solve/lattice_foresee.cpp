@@ -37,6 +37,17 @@ Real LatticeEvents<Real, Ground>::until(std::size_t i) const {
   return bead.cluster < 0 ? never : clusters_[std::size_t(bead.cluster)].cluster->end();
 }
 
+/// The kinetic energy.
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::kinetic(const Real& t) const {
+  Real sum = 0;
+  for (std::size_t i = 0; i < beads_.size(); ++i) {
+    const Vec2<Real> v = at(i, t).v;
+    sum += lattice_.mass(i) * dot(v, v) / 2;
+  }
+  return sum;
+}
+
 /// The gap between a bead and its neighbour, its rate and second derivative.
 template <class Real, class Ground>
 Motion<Real> LatticeEvents<Real, Ground>::gap(std::size_t i, const Neighbour<Real>& other, const Real& t) const {

@@ -114,6 +114,8 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
   outcome.x_max = x_max_;
   outcome.contacts = contacts_;
   outcome.contact_time = contact_time_;
+  if constexpr (!Watcher::watches)
+    if (outcome.end == End::quiet) doubt_the_end(outcome);
   return outcome;
 }
 
@@ -132,18 +134,35 @@ Real LatticeEvents<Real, Ground>::held() {
   return sum;
 }
 
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::energy_at_start() const {
+  Real mass = 0;
+  for (std::size_t i = 0; i < beads_.size(); ++i) mass += lattice_.mass(i);
+  return mass * lattice_.beads.speed * lattice_.beads.speed / 2;
+}
+
 /// What a loss of energy would change eps_eff = sqrt(E/E_0) by.
 template <class Real, class Ground>
 Real LatticeEvents<Real, Ground>::later_change(const Real& loss) const {
   using std::sqrt;
-  Real mass = 0, energy = 0;
-  for (std::size_t i = 0; i < beads_.size(); ++i) {
-    const Vec2<Real> v = at(i, now_).v;
-    mass += lattice_.mass(i) / 2;
-    energy += lattice_.mass(i) * dot(v, v) / 2;
-  }
-  const Real left = std::max(Real(energy - loss), Real(0)), speed = lattice_.beads.speed;
-  return loss == Real(0) ? Real(0) : Real(std::min(loss, energy) / (sqrt(mass) * speed * (sqrt(energy) + sqrt(left))));
+  const Real E = kinetic(now_), left = std::max(Real(E - loss), Real(0));
+  if (loss == Real(0) || E == Real(0)) return Real(0);
+  return std::min(loss, E) / (sqrt(energy_at_start()) * (sqrt(E) + sqrt(left)));
+}
+
+/// Which wait was the nearest to quiet_time(): one before a contact, or the last one. For that the next contact is waited
+/// for half as long again.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::doubt_the_end(LatticeOutcome<Real>& outcome) {
+  using std::fabs, std::sqrt;
+  const Real quiet = lattice_.quiet_time(), latest = last_touch_ + Real(1.5) * quiet;
+  outcome.missed = missed_;
+  outcome.otherwise = fabs(Real(sqrt(kinetic_then_) - sqrt(kinetic(now_)))) / sqrt(energy_at_start());
+  const Real next_change = later_change(approach());
+  while (closed_ == 0 && why_stop() == Status::ok && epoch_ + next_event() < latest) handle_next();
+  if (closed_ == 0 || !(epoch_ + now_ - last_touch_ - quiet < outcome.missed)) return;
+  outcome.missed = epoch_ + now_ - last_touch_ - quiet;
+  outcome.otherwise = next_change;
 }
 
 /// As energy_on_plate() of a column; of gravity 0 for beads on their sites.

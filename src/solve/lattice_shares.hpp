@@ -12,7 +12,7 @@ struct LatticeShares {
   double spring = 0.0, dashpot = 0.0, friction = 0.0;
 };
 
-/// Of the motions, all contacts closed, for which each of these is largest, and dashpot + friction. To 1 %.
+/// Of the motions, all contacts closed, for which each of these is largest, and dashpot + friction. To 2 %.
 std::vector<LatticeShares> largest_shares(const Lattice<double>& lattice);
 
 }  // namespace sigmasweep

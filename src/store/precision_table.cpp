@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <vector>
 
 #include "attributes.hpp"
@@ -11,6 +12,7 @@
 #include "hdf5_handle.hpp"
 #include "packing.hpp"
 #include "posix.hpp"
+#include "sigmasweep/errors.hpp"
 #include "table_info.hpp"
 #include "table_types.hpp"
 
@@ -73,7 +75,53 @@ void put_rows(hid_t file, std::span<const Field> parameters, std::span<const Pre
   dataset.close(what);
 }
 
+/// HDF5 finds the members by name.
+std::vector<PrecisionRow> get_rows(hid_t file) {
+  const char* const what = "cannot read dataset precision";
+  const std::vector<Field> parameters{*find_field("integrator")};
+  const Handle type = row_type(parameters), dataset(H5Dopen2(file, "precision", H5P_DEFAULT), H5Dclose, what);
+  const Handle stored(H5Dget_type(dataset), H5Tclose, what), space(H5Dget_space(dataset), H5Sclose, what);
+  const auto count = static_cast<std::uint64_t>(check(H5Sget_simple_extent_npoints(space), what));
+  if (const std::uint64_t size = H5Tget_size(stored); size == 0 || H5Dget_storage_size(dataset) / size != count)
+    throw IoError("dataset precision has not the rows that it should have");
+  std::vector<std::byte> bytes(count * row_size(parameters));
+  check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), what);
+  std::vector<PrecisionRow> rows(count);
+  const std::byte* in = bytes.data();
+  for (PrecisionRow& each : rows) {
+    Row row;
+    if (!unpack(parameters, in, row)) throw IoError("an integrator has no name");
+    each.parameters = row.parameters;
+    in += packed_size(parameters);
+    for (const PrecisionField& field : precision_fields()) {
+      std::memcpy(reinterpret_cast<std::byte*>(&each) + field.offset, in, number_size);
+      in += number_size;
+    }
+  }
+  return rows;
+}
+
 }  // namespace
+
+bool is_precision_table(const std::string& path) {
+  const Hdf5Session session;
+  try {
+    return read_text(open_for_reading(path), "format") == format;
+  } catch (const IoError&) {
+    return false;
+  }
+}
+
+PrecisionTable read_precision_table(const std::string& path) {
+  if (!std::filesystem::exists(path)) throw InputNotFound(fmt::format("there is no table {}", path));
+  const Hdf5Session session;
+  try {
+    const Handle file = open_for_reading(path);
+    return {read_text(file, "title"), read_text(file, "spec"), get_rows(file)};
+  } catch (const IoError& error) {
+    throw IoError(fmt::format("{} is not a precision study of sigmasweep: {}", path, error.what()));
+  }
+}
 
 void write_precision_table(const std::string& path, const TableInfo& info, std::span<const Field> parameters,
                            std::span<const PrecisionRow> rows) {

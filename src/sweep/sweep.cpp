@@ -97,6 +97,10 @@ Sweep Sweep::parse(std::string_view text, const std::string& file) {
       spec::refuse(*plot, "kind = 'trajectories' needs a table [trajectory]");
     if (one.by_phase && std::ranges::none_of(grid->kinds, is_vibrated))
       spec::refuse(*plot, "x = 'phase' needs geometry = 'vibrated-column' or 'vibrated-lattice'");
+    const auto is_film = [](const Parameters& p) { return p.geometry == Geometry::vibrated_lattice; };
+    if (one.kind == PlotKind::trajectories && !one.mean_over.empty() &&
+        !(one.by_phase && std::ranges::any_of(grid->kinds, is_film)))
+      spec::refuse(*plot, "'mean_over' of trajectories needs x = 'phase' and geometry = 'vibrated-lattice'");
   }
 
   std::vector<std::string> axes;

@@ -83,6 +83,20 @@ class Precision(unittest.TestCase):
         self.assertTrue((self.path / "tiny.png").read_bytes().startswith(b"\x89PNG"))
         self.assertEqual(sorted(p.name for p in self.path.iterdir()), ["tiny.h5", "tiny.png", "tiny.svg", "tiny.toml"])
 
+    def test_stored_study_is_drawn(self):
+        spec = self.path / "tiny.toml"
+        spec.write_text(SPEC.replace("[plot]", "[[plot]]") + '[[plot]]\nname = "one"\nwhere = "N == 1"\n')
+        ended, *_ = self.study("--tuples", "3", "--repeats", "1")
+        self.assertEqual(sorted(ended.stderr.split()[-5:]),
+                         ["tiny-one.png", "tiny-one.svg", "tiny.h5", "tiny.png", "tiny.svg"])
+        ended = self.run_program("plot", "tiny.h5", "--name", "one", "-o", "again.svg")
+        self.assertEqual((ended.returncode, ended.stdout), (0, "again.svg\n"), ended)
+        self.assertEqual((self.path / "again.svg").read_text(), (self.path / "tiny-one.svg").read_text())
+        for arguments, code, words in ((["--name", "two"], 64, "no plot 'two'"), (["--x", "N"], 64, "its own axes")):
+            ended = self.run_program("plot", "tiny.h5", *arguments)
+            self.assertEqual(ended.returncode, code, ended)
+            self.assertIn(words, ended.stderr)
+
     def test_ranks_share_the_scenes(self):
         _, alone, _, _ = self.study("--no-plots", "--tuples", "5", "--repeats", "1")
         _, shared, attributes, _ = self.study("--no-plots", "--tuples", "5", "--repeats", "1",

@@ -107,6 +107,15 @@ TEST(LatticeFixedStep, ErrorsFallWithTheStep) {
     }
 }
 
+TEST(LatticeFixedStep, GivesUpAtItsWorkLimit) {
+  const Lattice<double> lattice = lattice_of(parameters(4, 5, 0.9, 1.0));
+  const auto status = [&](std::uint64_t work) {
+    return fixed_step_lattice_collision(lattice, Integrator::verlet, 0.01, {.work_limit = work}).status;
+  };
+  EXPECT_EQ(status(10'000), Status::event_limit);  // 500 steps
+  EXPECT_EQ(status(1'000'000), Status::ok);
+}
+
 /// Also in narrow containers, where beads meet several images of one another.
 TEST(LatticeFixedStep, TouchingRowsMoveAsOne) {
   for (const Integrator integrator : schemes) {

@@ -194,6 +194,33 @@ TEST(Stability, LatticesAndWhatVibratesBehaveAsPredicted) {
   check(complete(p, Gap::s0));
 }
 
+// A lattice without shifts has hardly any of its stiffest motions.
+TEST(Stability, NoLatticeIsRefusedThatHasAResult) {
+  Parameters p;
+  p.geometry = Geometry::lattice;
+  p.integrator = Integrator::gear5;
+  p.v0 = 1.0;
+  p.tc = 1e-5;
+  p.d = 1e-2;
+  p.columns = 4;
+  p.sigma = 0.1;
+  p.tolerance = 1e-6;
+  struct Scene {
+    std::int64_t rows;
+    double epsilon, D_t, steps;
+  };
+  for (const Scene& scene : {Scene{2, 1e-3, 0.0, 170.0}, Scene{3, 0.1, 1e6, 200.0}}) {
+    p.rows = scene.rows;
+    p.epsilon = scene.epsilon;
+    p.D_t = scene.D_t;
+    p.steps_per_tc = scene.steps;
+    const Collision c = simulate(complete(p, Gap::sigma));
+    EXPECT_EQ(c.status, Status::ok) << scene.rows;
+    EXPECT_LT(c.eps_eff_error, 1e-2);
+    EXPECT_GT(c.predicted_growth, 1e5);
+  }
+}
+
 // Wherever a tuple is refused before it is computed, computing it comes to nothing too.
 TEST(Stability, NothingIsRefusedThatHasAResult) {
   int refused = 0;

@@ -36,7 +36,7 @@ constexpr bool is_reproducible(Status status) {
   return status != Status::time_limit && status != Status::not_run && status != Status::quarantined;
 }
 
-/// What a vibrated column does, averaged over the periods after the transient. Masses are over the column's.
+/// What vibrates, averaged over the periods after the transient. Powers and energies are over the mass of all beads.
 struct Vibration {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   double h_cm = nan;            ///< mean height of the centre of mass above the plate's middle position, m
@@ -62,10 +62,10 @@ struct Collision {
   double v_cm = nan;           ///< final velocity of the centre of mass over v0
   double t_k = nan;            ///< from the first to the last contact with the wall, s (0 for hard spheres at s0 = 0)
   double x_max = nan;          ///< largest overlap of any contact, m (0 for hard spheres)
-  /// Of a fixed time step: what it makes of the amplitude of the column's stiffest mode in N tc, from theory
-  /// (stability.hpp); a good deal above 1 where the step is too long.
+  /// Of a fixed time step: what it makes of the amplitude of the least stable mode in N tc, of lattices rows tc, from
+  /// theory (stability.hpp); a good deal above 1 where the step is too long.
   double predicted_growth = nan;
-  Vibration vibration;         ///< of a vibrated column, of which nothing else is known than x_max and the following
+  Vibration vibration;         ///< of what vibrates, of which nothing else is known than x_max and the following
   std::uint64_t contacts = 0;  ///< contacts that closed and opened again; for hard spheres collisions
   End end = End::none;
   Status status = Status::not_run;

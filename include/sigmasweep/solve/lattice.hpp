@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "sigmasweep/scene/collision.hpp"
@@ -60,6 +61,9 @@ struct LatticeOutcome {
   Real t_k{};                  ///< from the first to the last contact with the bottom
   Real x_max{};                ///< largest overlap
   Real remainder{};            ///< End::settled: estimate of what later contacts can still change eps_eff by
+  /// End::quiet, from event to event: by how much the wait for a contact that was nearest to quiet_time() missed it, and
+  /// about what eps_eff would differ by if it had been on the other side.
+  Real missed = std::numeric_limits<Real>::infinity(), otherwise{};
   std::uint64_t contacts = 0;  ///< contacts closed and opened again
   Real contact_time{};         ///< how long they were closed, all together; from event to event only, until the last one
   End end = End::none;

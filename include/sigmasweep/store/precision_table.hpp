@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "sigmasweep/store/table.hpp"
 #include "sigmasweep/sweep/fields.hpp"
@@ -14,5 +15,17 @@ namespace sigmasweep {
 /// those of a table. PATH is complete or as it was before. Throws OutputError or IoError.
 void write_precision_table(const std::string& path, const TableInfo& info, std::span<const Field> parameters,
                            std::span<const PrecisionRow> rows);
+
+/// Whether there is a file that says of itself that it is one.
+bool is_precision_table(const std::string& path);
+
+/// A study read back.
+struct PrecisionTable {
+  std::string title, spec_text;
+  std::vector<PrecisionRow> rows;  ///< of the parameters with the integrator only: the scene's are the spec's
+};
+
+/// Throws InputNotFound, or IoError for a file that is none.
+PrecisionTable read_precision_table(const std::string& path);
 
 }  // namespace sigmasweep

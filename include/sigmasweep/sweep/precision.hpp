@@ -37,7 +37,7 @@ struct PrecisionRow {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::uint64_t scene = 0;
   Parameters parameters;  ///< the scene's, with integrator and setting
-  double setting = nan;   ///< steps_per_tc or tolerance
+  double setting = nan;   ///< steps_per_tc or tolerance; NaN for exact of what vibrates
   std::uint64_t tuples = 0, failures = 0, compared = 0, references = 0;
   double error_median = nan, error_99 = nan, error_max = nan;
   double velocity_median = nan, velocity_max = nan;
