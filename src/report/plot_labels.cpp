@@ -20,6 +20,8 @@ constexpr auto symbols = std::to_array<Symbol>({
     {"sigma", "{/:Italic σ}", "{/:Italic σ} = {/:Italic s}_0 / ({/:Italic v}_0 {/:Italic t}_c)"},
     {"epsilon", "{/:Italic ε}", ""},
     {"d", "{/:Italic d}", ""},
+    {"D_t", "{/:Italic D}_t", ""},
+    {"D_n", "{/:Italic D}_n", ""},
     {"N", "{/:Italic N}", ""},
     {"steps_per_tc", "{/:Italic t}_c/Δ{/:Italic t}", ""},
     {"eps_eff", "{/:Italic ε}_{eff}", "effective restitution {/:Italic ε}_{eff}"},

@@ -68,10 +68,10 @@ std::vector<Strip> strips_of(std::span<const Panel> panels, std::span<const std:
   return strips;
 }
 
-/// "1.2", or with the standard error of a mean "1.2 ± 0.3", 1/s.
+/// "1.2", or with the standard error of a mean "1.2 ± 0.3".
 std::string curl(double mean, double error) {
   if (!(mean == mean)) return "none";
-  return error == error ? fmt::format("{:.2g} ± {:.1g}/s", mean, error) : fmt::format("{:.3g}/s", mean);
+  return error == error ? fmt::format("{:.2g} ± {:.1g}", mean, error) : fmt::format("{:.3g}", mean);
 }
 
 /// Lines "x z dx dz", the middle of an arrow in the middle of its cell; the fastest is one and a half cells long.
@@ -99,9 +99,9 @@ std::string frame_script(const Strip& strip, std::size_t phase, const Canvas& ca
   const auto fraction = [](std::size_t k) { return static_cast<double>(k) / static_cast<double>(phases); };
   out += canvas.label(fmt::format("{{/:Italic ωt}}/2π from {} to {}", fraction(phase), fraction(phase + 1)), middle,
                       under + 12.0, "center");
-  out += canvas.label(fmt::format("mean curl: left {}, right {}", curl(mean.left, error.left),
+  out += canvas.label(fmt::format("mean curl: left {}, right {} /s", curl(mean.left, error.left),
                                   curl(mean.right, error.right)), middle, under + 27.0,
-                      "center font ',9' textcolor rgb '#606060'");
+                      "center font ',8' textcolor rgb '#606060'");
   return out + fmt::format("plot ${} using 1:2:3:4 with vectors filled head size screen 0.005,20 linewidth 1 linecolor "
                            "rgb '#2166AC' notitle\nunset label\n", name);
 }

@@ -157,7 +157,8 @@ void LatticeEvents<Real, Ground>::doubt_the_end(LatticeOutcome<Real>& outcome) {
   using std::fabs, std::sqrt;
   const Real quiet = lattice_.quiet_time(), latest = last_touch_ + Real(1.5) * quiet;
   outcome.missed = missed_;
-  outcome.otherwise = fabs(Real(sqrt(kinetic_then_) - sqrt(kinetic(now_)))) / sqrt(energy_at_start());
+  if (missed_ < never)
+    outcome.otherwise = fabs(Real(sqrt(kinetic_then_) - sqrt(kinetic(now_)))) / sqrt(energy_at_start());
   const Real next_change = later_change(approach());
   while (closed_ == 0 && why_stop() == Status::ok && epoch_ + next_event() < latest) handle_next();
   if (closed_ == 0 || !(epoch_ + now_ - last_touch_ - quiet < outcome.missed)) return;

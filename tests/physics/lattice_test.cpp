@@ -205,6 +205,17 @@ TEST(Lattice, ErrorBarKnowsWhenTheEndIsUndecided) {
   }
 }
 
+/// In one run there is no wait at all, in the other one there are some.
+TEST(Lattice, ErrorBarIsNoneOfTheEndWhereNobodyWaits) {
+  Parameters p = parameters(10, 13, 0.9, 1e-3, 10.0);
+  p.random_separation = Flag::yes;
+  p.tolerance = 0.1;
+  for (const std::int64_t seed : {1, 2, 3, 4, 5}) {
+    p.seed = seed;
+    EXPECT_LT(simulate(p).eps_eff_error, 1e-3) << seed;
+  }
+}
+
 /// The largest overlap and how long contacts last, where clusters are moved in parts (130 beads), against fixed steps,
 /// and of beads one by one, which touch the wall for t_wall = pi sqrt(2)/sqrt(omega0^2 - mu^2/2).
 TEST(Lattice, KnowsItsOverlapsAndContactTimes) {

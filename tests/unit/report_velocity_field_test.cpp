@@ -137,7 +137,7 @@ TEST(PlotVelocityFields, DrawsEveryForm) {
     EXPECT_GT(std::filesystem::file_size(directory.file(name)), 2000u);
   }
   const std::string svg = samples::bytes_of(directory.file("a.svg"));
-  for (const char* words : {"left 6/s, right 6/s", "longest arrow", "from 0.25 to 0.5"})
+  for (const char* words : {"left 6, right 6 /s", "longest arrow", "from 0.25 to 0.5"})
     EXPECT_NE(svg.find(words), std::string::npos) << words;
   std::vector<Panel> seeds{stirred(roll), stirred(roll)};
   seeds[1].row.parameters.seed = 2;
