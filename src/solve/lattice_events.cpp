@@ -79,14 +79,11 @@ void LatticeEvents<Real, Ground>::count_contact_time(const Real& t) {
   counted_to_ = epoch_ + t;
 }
 
-/// A time without contacts ends at t.
+/// A time without contacts ends at t. Kinetic energies for now, see doubt_the_end().
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::note_wait(const Real& t) {
-  using std::fabs;
-  const Real missed = fabs(Real(epoch_ + t - last_touch_ - lattice_.quiet_time()));
-  if (!(missed < missed_)) return;
-  missed_ = missed;
-  kinetic_then_ = kinetic(t);
+  const Real length = epoch_ + t - last_touch_;
+  if (length > waits_.longest.back().length) waits_.note({length, kinetic(t)});
 }
 
 template <class Real, class Ground>

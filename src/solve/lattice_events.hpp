@@ -151,7 +151,7 @@ class LatticeEvents {
   Real now_{}, epoch_{};        ///< the clock began at epoch_
   Real last_touch_{}, last_change_{}, wall_closed_ = -Real(1), wall_opened_{}, x_max_{};
   Real contact_time_{}, counted_to_{};
-  Real missed_ = never, kinetic_then_{};  ///< of the wait that was nearest to quiet_time()
+  Waits<Real> waits_;
   std::uint64_t closed_ = 0, contacts_ = 0, work_ = 0, all_work_ = 0;
   PlateWork work_done_;
   bool lost_ = false;

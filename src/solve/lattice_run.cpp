@@ -150,20 +150,18 @@ Real LatticeEvents<Real, Ground>::later_change(const Real& loss) const {
   return std::min(loss, E) / (sqrt(energy_at_start()) * (sqrt(E) + sqrt(left)));
 }
 
-/// Which wait was the nearest to quiet_time(): one before a contact, or the last one. For that the next contact is waited
-/// for half as long again.
+/// What eps_eff would be if one of the waits had been the end; and, as the next contact is waited for half as long again,
+/// if that had not been.
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::doubt_the_end(LatticeOutcome<Real>& outcome) {
   using std::fabs, std::sqrt;
-  const Real quiet = lattice_.quiet_time(), latest = last_touch_ + Real(1.5) * quiet;
-  outcome.missed = missed_;
-  if (missed_ < never)
-    outcome.otherwise = fabs(Real(sqrt(kinetic_then_) - sqrt(kinetic(now_)))) / sqrt(energy_at_start());
+  const Real latest = last_touch_ + Real(1.5) * lattice_.quiet_time(), E = kinetic(now_);
+  outcome.waits = waits_;
+  for (auto& wait : outcome.waits.longest)
+    if (wait.length > 0) wait.change = fabs(Real(sqrt(wait.change) - sqrt(E))) / sqrt(energy_at_start());
   const Real next_change = later_change(approach());
   while (closed_ == 0 && why_stop() == Status::ok && epoch_ + next_event() < latest) handle_next();
-  if (closed_ == 0 || !(epoch_ + now_ - last_touch_ - quiet < outcome.missed)) return;
-  outcome.missed = epoch_ + now_ - last_touch_ - quiet;
-  outcome.otherwise = next_change;
+  outcome.waits.note({(closed_ > 0 ? epoch_ + now_ : latest) - last_touch_, next_change});
 }
 
 /// As energy_on_plate() of a column; of gravity 0 for beads on their sites.

@@ -35,12 +35,19 @@ double apart(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, cons
   return energy > 0.0 ? std::sqrt(squares / (energy * mass)) / double(lattice.beads.speed) : 0.0;
 }
 
-/// What eps_eff may be off by as nobody knows when it is over: waits for a contact that differ between the runs by more
-/// than what the end was missed by. Late contacts of slow beads come at times that are chaotic before eps_eff is.
+/// What eps_eff may be off by as nobody knows when it is over: late contacts of slow beads come at times that are chaotic
+/// before eps_eff is. The runs' longest waits say by how much these are unknown, and which of them may be on the other side
+/// of quiet_time().
 template <class Real>
-double undecided(const LatticeOutcome<Real>& one, const LatticeOutcome<Real>& other) {
-  const double apart = std::fabs(double(one.missed - other.missed));
-  return doubt * apart >= double(one.missed) ? double(one.otherwise) : 0.0;
+double undecided(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, const LatticeOutcome<Real>& other) {
+  const auto &waits = one.waits.longest, &others = other.waits.longest;
+  double unknown = 0.0, change = 0.0;
+  for (std::size_t k = 0; k < waits.size(); ++k)
+    unknown = std::max(unknown, std::fabs(double(waits[k].length - others[k].length)));
+  for (const auto& wait : waits)
+    if (wait.length > 0 && std::fabs(double(wait.length - lattice.quiet_time())) <= doubt * unknown)
+      change = std::max(change, double(wait.change));
+  return change;
 }
 
 /// The collision with local errors of `accuracy`, its error from a second run with ten times as much.
@@ -59,7 +66,7 @@ Collision pair_of_runs(const Parameters& p, const LatticeOptions& options) {
                                             apart(lattice, outcome, other) / doubt);
   // Both runs have the same positions after long flights, and what these cannot resolve does not differ.
   const double from_nothing = std::max(c.eps_eff - 1.0, 0.0);
-  c.eps_eff_error = twin_error(c, difference, options.accuracy, double(outcome.remainder)) + undecided(outcome, other) +
+  c.eps_eff_error = twin_error(c, difference, options.accuracy, double(outcome.remainder)) + undecided(lattice, outcome, other) +
                     double(lattice.rounding()) + from_nothing;
   return c;
 }

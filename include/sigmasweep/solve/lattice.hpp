@@ -1,8 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "sigmasweep/scene/collision.hpp"
@@ -54,6 +55,22 @@ Lattice<Real> reduced_lattice(const Parameters& parameters);
 template <class Real>
 void shift_at_random(Lattice<Real>& lattice, std::uint64_t key);
 
+/// The longest times without a contact, the longest first; one may be the one after the end.
+template <class Real>
+struct Waits {
+  struct Wait {
+    Real length{}, change{};  ///< about what eps_eff would differ by if it had been on the other side of quiet_time()
+  };
+  std::array<Wait, 6> longest{};
+
+  void note(const Wait& wait) {
+    auto place = std::ranges::find_if(longest, [&](const Wait& w) { return w.length < wait.length; });
+    if (place == longest.end()) return;
+    std::move_backward(place, longest.end() - 1, longest.end());
+    *place = wait;
+  }
+};
+
 /// What a solver hands back, in the lattice's units.
 template <class Real>
 struct LatticeOutcome {
@@ -61,9 +78,7 @@ struct LatticeOutcome {
   Real t_k{};                  ///< from the first to the last contact with the bottom
   Real x_max{};                ///< largest overlap
   Real remainder{};            ///< End::settled: estimate of what later contacts can still change eps_eff by
-  /// End::quiet, from event to event: by how much the wait for a contact that was nearest to quiet_time() missed it, and
-  /// about what eps_eff would differ by if it had been on the other side.
-  Real missed = std::numeric_limits<Real>::infinity(), otherwise{};
+  Waits<Real> waits;           ///< End::quiet, from event to event
   std::uint64_t contacts = 0;  ///< contacts closed and opened again
   Real contact_time{};         ///< how long they were closed, all together; from event to event only, until the last one
   End end = End::none;
