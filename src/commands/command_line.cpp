@@ -214,7 +214,9 @@ void add_plot(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<PlotOptions>();
   CLI::App* command = app.add_subcommand("plot", "Draw a table as its spec says");
   const auto scales = CLI::IsMember({"linear", "log"}).description("");
-  command->add_option("table", options->table, "A table that 'run' or 'precision' wrote")->required()->type_name("TABLE.h5");
+  command->add_option("table", options->table, "A table that 'run' or 'precision' wrote")
+      ->required()
+      ->type_name("TABLE.h5");
   command
       ->add_option("-o,--output", options->output,
                    "The picture, of several plots the first (others: FILE-name.svg); default: the table's name, here")
