@@ -25,10 +25,10 @@ Outcome<double> fixed_step_collision(const Column<double>& column, Integrator in
                                      const FixedStepOptions& options = {});
 
 /// The tuple's collision, of a column or a lattice, with time step tc/steps_per_tc. eps_eff_error is the distance to
-/// what `exact` has for it plus the error of that: the time for it is part of this function's time. Where theory says that the step is far too long it is Status::unstable at once: equal beads, and the amplitude of
-/// the stiffest mode grows by more than 1e5 within one tc (stability.hpp; of lattices, and above sigma = 0.1, that of a
-/// single bead at the wall). With up to 10^3.2 for the closed column collisions were seen to end with a result, if a
-/// poor one.
+/// what `exact` has for it plus the error of that: the time for it is part of this function's time. Where theory says
+/// that the step is far too long it is Status::unstable at once: equal beads, and the amplitude of the stiffest mode
+/// grows by more than 1e5 within one tc (stability.hpp; of lattices, and above sigma = 0.1, that of a single bead at the
+/// wall). With up to 10^3.2 for the closed column collisions were seen to end with a result, if a poor one.
 ///
 /// With steps_per_tc = 0 the step is chosen: from the longest stable one, or tc/20, on it is shortened, the error taken
 /// as of first order in it, until eps_eff_error is within the tolerance. Status::tolerance_missed with the smallest
