@@ -109,11 +109,17 @@ TEST_F(JournalTest, CutsATailOfZeros) {  // what a crashed machine may leave
   EXPECT_EQ(bytes_of(path), whole);
 }
 
+#ifdef SIGMASWEEP_SANITIZED  // fifty times as slow
+constexpr std::size_t next_bit = 11;
+#else
+constexpr std::size_t next_bit = 1;
+#endif
+
 TEST_F(JournalTest, AFlippedBitLosesItsRecordAndNoOther) {
   const std::size_t size = record_size();
   write({20, 21, 22, 23});
   const std::string whole = bytes_of(path);
-  for (std::size_t bit = 8 * header_size; bit < 8 * whole.size(); ++bit) {
+  for (std::size_t bit = 8 * header_size; bit < 8 * whole.size(); bit += next_bit) {
     std::string damaged = whole;
     damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
     put_bytes(path, damaged);
