@@ -66,8 +66,8 @@ Collision pair_of_runs(const Parameters& p, const LatticeOptions& options) {
                                             apart(lattice, outcome, other) / doubt);
   // Both runs have the same positions after long flights, and what these cannot resolve does not differ.
   const double from_nothing = std::max(c.eps_eff - 1.0, 0.0);
-  c.eps_eff_error = twin_error(c, difference, options.accuracy, double(outcome.remainder)) + undecided(lattice, outcome, other) +
-                    double(lattice.rounding()) + from_nothing;
+  c.eps_eff_error = twin_error(c, difference, options.accuracy, double(outcome.remainder)) +
+                    undecided(lattice, outcome, other) + double(lattice.rounding()) + from_nothing;
   return c;
 }
 

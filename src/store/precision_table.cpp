@@ -117,7 +117,7 @@ PrecisionTable read_precision_table(const std::string& path) {
   const Hdf5Session session;
   try {
     const Handle file = open_for_reading(path);
-    return {read_text(file, "title"), read_text(file, "spec"), get_rows(file)};
+    return {read_text(file, "spec"), get_rows(file)};
   } catch (const IoError& error) {
     throw IoError(fmt::format("{} is not a precision study of sigmasweep: {}", path, error.what()));
   }

@@ -21,7 +21,7 @@ bool is_precision_table(const std::string& path);
 
 /// A study read back.
 struct PrecisionTable {
-  std::string title, spec_text;
+  std::string spec_text;
   std::vector<PrecisionRow> rows;  ///< of the parameters with the integrator only: the scene's are the spec's
 };
 
