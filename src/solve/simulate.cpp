@@ -1,13 +1,13 @@
 #include "sigmasweep/solve/simulate.hpp"
 
-#include "sigmasweep/scene/law.hpp"
-#include "sigmasweep/scene/plate_motion.hpp"
-#include "sigmasweep/solve/exact.hpp"
-#include "sigmasweep/solve/fixed_step.hpp"
-#include "sigmasweep/solve/hard_spheres.hpp"
-#include "sigmasweep/solve/lattice.hpp"
-#include "sigmasweep/solve/nonlinear.hpp"
-#include "sigmasweep/solve/vibrated.hpp"
+#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/model/geometry.hpp"
+#include "solve/exact/linear/collision.hpp"
+#include "solve/fixed_step/collision.hpp"
+#include "solve/hard_spheres/collision.hpp"
+#include "assembly/lattice.hpp"
+#include "solve/exact/power_law/collision.hpp"
+#include "solve/vibrated.hpp"
 
 namespace sigmasweep {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sigmasweep/scene/collision.hpp"
+#include "sigmasweep/model/result.hpp"
 
 /// Error bars of what is integrated with local errors of a given size: by a second run with ten times as large ones.
 namespace sigmasweep {

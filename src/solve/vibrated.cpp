@@ -1,7 +1,7 @@
-#include "sigmasweep/solve/vibrated.hpp"
+#include "solve/vibrated.hpp"
 
-#include "sigmasweep/scene/plate_motion.hpp"
-#include "sigmasweep/solve/stability.hpp"
+#include "sigmasweep/model/geometry.hpp"
+#include "solve/fixed_step/stability.hpp"
 
 namespace sigmasweep {
 

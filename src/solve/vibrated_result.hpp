@@ -1,7 +1,7 @@
 #pragma once
 
-#include "plate.hpp"
-#include "sigmasweep/scene/collision.hpp"
+#include "assembly/ground.hpp"
+#include "sigmasweep/model/result.hpp"
 
 namespace sigmasweep {
 

@@ -1,4 +1,4 @@
-#include "sigmasweep/store/h5md.hpp"
+#include "store/h5md.hpp"
 
 #include <fmt/format.h>
 #include <pwd.h>
@@ -14,15 +14,15 @@
 #include <numbers>
 #include <numeric>
 
-#include "h5md_tree.hpp"
-#include "posix.hpp"
-#include "sigmasweep/errors.hpp"
-#include "sigmasweep/scene/plate_motion.hpp"
+#include "store/hdf5/tree.hpp"
+#include "store/files.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/solve/simulate.hpp"
-#include "sigmasweep/store/build_info.hpp"
-#include "sigmasweep/sweep/fields.hpp"
+#include "store/build_info.hpp"
+#include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
-#include "table_types.hpp"
+#include "store/table/types.hpp"
 
 namespace sigmasweep {
 namespace {

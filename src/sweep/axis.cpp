@@ -1,4 +1,4 @@
-#include "sigmasweep/sweep/axis.hpp"
+#include "sweep/axis.hpp"
 
 #include <algorithm>
 #include <cassert>

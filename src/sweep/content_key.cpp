@@ -5,7 +5,7 @@
 #include <xxhash.h>
 
 #include "sigmasweep/solve/simulate.hpp"
-#include "sigmasweep/sweep/fields.hpp"
+#include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
 namespace sigmasweep {

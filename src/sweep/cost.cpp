@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "sigmasweep/scene/law.hpp"
-#include "sigmasweep/scene/plate_motion.hpp"
+#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/model/geometry.hpp"
 
 namespace sigmasweep {
 namespace {

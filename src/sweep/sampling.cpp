@@ -1,4 +1,4 @@
-#include "sigmasweep/sweep/sampling.hpp"
+#include "sweep/sampling.hpp"
 
 #include <bit>
 

@@ -1,4 +1,4 @@
-#include "sigmasweep/sweep/schedule.hpp"
+#include "sweep/schedule.hpp"
 
 #include <algorithm>
 #include <cmath>

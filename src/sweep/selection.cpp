@@ -1,4 +1,4 @@
-#include "sigmasweep/sweep/selection.hpp"
+#include "sweep/selection.hpp"
 
 #include <algorithm>
 #include <bit>

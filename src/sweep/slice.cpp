@@ -1,6 +1,6 @@
-#include "sigmasweep/sweep/slice.hpp"
+#include "sweep/slice.hpp"
 
-#include "sigmasweep/scene/random.hpp"
+#include "base/random.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
-#include "sigmasweep/errors.hpp"
-#include "sigmasweep/scene/plate_motion.hpp"
-#include "sigmasweep/sweep/usage.hpp"
-#include "spec_guard.hpp"
-#include "spec_tables.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/relevance.hpp"
+#include "sweep/spec/toml_guard.hpp"
+#include "sweep/spec/tables.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -10,10 +10,10 @@
 #include <string>
 #include <utility>
 
-#include "sigmasweep/scene/names.hpp"
-#include "sigmasweep/scene/real.hpp"
-#include "sigmasweep/solve/exact.hpp"
-#include "sigmasweep/solve/fixed_step.hpp"
+#include "sigmasweep/model/names.hpp"
+#include "base/quad.hpp"
+#include "solve/exact/linear/collision.hpp"
+#include "solve/fixed_step/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 
 namespace {

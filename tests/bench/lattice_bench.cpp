@@ -6,8 +6,8 @@
 
 #include <cstdint>
 
-#include "sigmasweep/scene/names.hpp"
-#include "sigmasweep/solve/lattice.hpp"
+#include "sigmasweep/model/names.hpp"
+#include "assembly/lattice.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 
 namespace {

@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <string>
 
-#include "sigmasweep/errors.hpp"
-#include "sigmasweep/sweep/fields.hpp"
-#include "sigmasweep/sweep/formula.hpp"
-#include "sigmasweep/sweep/where.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/fields.hpp"
+#include "sweep/expression/formula.hpp"
+#include "sweep/expression/where.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sigmasweep;

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <random>
 
-#include "sigmasweep/errors.hpp"
-#include "sigmasweep/store/journal.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "store/journal/journal.hpp"
 #include "support/store_samples.hpp"
 
 namespace sigmasweep {

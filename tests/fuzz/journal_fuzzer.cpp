@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "sigmasweep/errors.hpp"
-#include "sigmasweep/store/journal.hpp"
-#include "store/record.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "store/journal/journal.hpp"
+#include "store/journal/record.hpp"
 #include "support/store_samples.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sigmasweep/errors.hpp"
+#include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
 // Whatever the bytes: Sweep::parse returns a sweep of valid rows or throws SpecError, and soon.

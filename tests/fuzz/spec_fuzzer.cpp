@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "sigmasweep/errors.hpp"
-#include "sigmasweep/scene/parameters.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

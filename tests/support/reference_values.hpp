@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sigmasweep/scene/parameters.hpp"
+#include "sigmasweep/model/parameters.hpp"
 
 /// Results of independent programs (Taylor series of order 24 to 34 in long double and quadruple precision, normal
 /// modes and DOP853 for soft spheres; 100 and 200 digit arithmetic for hard ones), at least two methods each. They

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "sigmasweep/scene/parameters.hpp"
-#include "sigmasweep/solve/column.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "assembly/column.hpp"
 
 /// Columns of soft spheres as tests want them.
 namespace sigmasweep {

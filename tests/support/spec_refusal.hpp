@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sigmasweep/errors.hpp"
+#include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
 /// What a spec is refused with.

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "sigmasweep/sweep/row.hpp"
+#include "sigmasweep/model/row.hpp"
 
 namespace sigmasweep::samples {
 

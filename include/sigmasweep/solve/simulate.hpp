@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sigmasweep/scene/collision.hpp"
-#include "sigmasweep/scene/parameters.hpp"
-#include "sigmasweep/solve/patience.hpp"
+#include "sigmasweep/model/result.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/base/budget.hpp"
 
 namespace sigmasweep {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sigmasweep/scene/parameters.hpp"
+#include "sigmasweep/model/parameters.hpp"
 
 namespace sigmasweep {
 

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "sigmasweep/sweep/fields.hpp"
-#include "sigmasweep/sweep/precision.hpp"
-#include "sigmasweep/sweep/row.hpp"
+#include "sigmasweep/model/fields.hpp"
+#include "sigmasweep/studies/precision/study.hpp"
+#include "sigmasweep/model/row.hpp"
 #include "sigmasweep/sweep/trajectory_spec.hpp"
 
 namespace sigmasweep {

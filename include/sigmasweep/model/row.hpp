@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sigmasweep/model/result.hpp"
+#include "sigmasweep/model/parameters.hpp"
+
+namespace sigmasweep {
+
+/// One point of a sweep: row `index` of the table (0-based, spec order) and what defines it.
+struct Tuple {
+  std::uint64_t index = 0;
+  Parameters parameters;
+};
+
+/// What may differ between two runs of the same sweep; kept apart from the results.
+struct Timing {
+  double run_time = 0.0;        ///< CPU time of the rank's thread spent on the tuple, s
+  double predicted_time = 0.0;  ///< what the cost model said, s
+  std::int32_t rank = -1;       ///< who computed it
+  std::int32_t attempt = 0;     ///< 1 for the first try
+};
+
+/// One finished row. A plain value of fixed size: it is sent between ranks, journalled and stored as it is.
+struct Row {
+  std::uint64_t index = 0;
+  Parameters parameters;
+  Collision collision;
+  Timing timing;
+};
+
+}  // namespace sigmasweep

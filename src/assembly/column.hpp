@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sigmasweep/model/result.hpp"
+#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/model/parameters.hpp"
+
+/// The problem that the solvers solve, in any consistent system of units with bead mass 1.
+namespace sigmasweep {
+
+/// A column of N beads flying at `speed` into the wall. While contact k is closed (k = 0: the wall and bead 1; k: beads
+/// k and k+1) it pushes with F_k = K_k x_k^(1+beta) + C_k x_k^gamma x_k', x_k > 0 the overlap; Eqs. (2), (3), (8).
+/// Real is double, long double or a wider type.
+template <class Real>
+struct Column {
+  std::int64_t N = 1;
+  Real gap{};      ///< s0
+  Real speed{};    ///< v0
+  Real tc{};       ///< pair contact time, Eq. (6) or (A2)
+  Real eps{};      ///< pair restitution, Eq. (7)
+  Real eps_wall{}; ///< wall restitution, for hard spheres
+  Real K{}, C{};             ///< pair of mean beads: spring K/m and dashpot D_n, both over the mean bead's mass
+  Real K_wall{}, C_wall{};   ///< wall and mean bead
+  Exponents exponents{};     ///< beta, gamma; the linear law has 0, 0
+  std::vector<Real> mass;    ///< of beads 1..N over the mean bead's; empty where all are equal
+  std::vector<Real> gaps;    ///< initial, contact by contact; empty where all are `gap`
+
+  bool is_uniform() const { return mass.empty(); }
+  std::size_t contacts() const { return static_cast<std::size_t>(N); }
+  /// Of contact k, counted from 0, the wall's.
+  Real spring(std::size_t k) const { return k == 0 ? K_wall : K; }
+  /// D_n m_ij, m_ij = 2 m_i m_j/(m_i + m_j), Eq. (3); at the wall D_n times the bead's mass.
+  Real dashpot(std::size_t k) const {
+    if (mass.empty()) return k == 0 ? C_wall : C;
+    return k == 0 ? Real(C_wall * mass[0]) : Real(C * 2 * mass[k - 1] * mass[k] / (mass[k - 1] + mass[k]));
+  }
+  Real initial_gap(std::size_t k) const { return gaps.empty() ? gap : gaps[k]; }
+  /// 1/m of bead i, counted from 0.
+  Real inverse_mass(std::size_t i) const { return mass.empty() ? Real(1) : Real(1 / mass[i]); }
+  /// How fast the force F of contact k slows its own overlap down: x'' = -inertia F + ...; one over the reduced mass.
+  Real inertia(std::size_t k) const { return k == 0 ? inverse_mass(0) : Real(inverse_mass(k - 1) + inverse_mass(k)); }
+};
+
+/// The column in reduced units: time in tc, length in v0 tc. Only sigma, N and epsilon are left, nothing cancels; for
+/// laws that are not linear also their exponents. Random diameters and separations come from the seed alone.
+template <class Real>
+Column<Real> reduced_column(const Parameters& parameters);
+
+/// The same column in raw SI units: the check that the reduction is right.
+template <class Real>
+Column<Real> si_column(const Parameters& parameters);
+
+/// What a solver hands back, in the column's units.
+template <class Real>
+struct Outcome {
+  std::vector<Real> velocity;  ///< final velocities of beads 1..N
+  Real t_k{};                  ///< from the first to the last contact with the wall
+  Real x_max{};                ///< largest overlap
+  std::uint64_t contacts = 0;  ///< contacts closed and opened again
+  End end = End::none;
+  Status status = Status::ok;
+};
+
+/// The ratios that a set of final velocities means. Masses as in Column: empty where all are 1.
+template <class Real>
+struct Energies {
+  Real eps_eff{}, Er_Ef{}, Er_E0{}, v_cm{};  ///< as in Collision; v_cm over the initial speed
+};
+template <class Real>
+Energies<Real> energies(std::span<const Real> velocity, Real speed, std::span<const Real> mass = {});
+
+/// The projection Pv onto the cone 0 <= w_1 <= ... <= w_N, by pooling adjacent violators (isotonic regression) in one
+/// pass; norms are weighted with the masses. Why the cone: every completed contact hands momentum upwards
+/// (int F dt = K int x^(1+beta) dt >= 0, as x starts and ends at 0), and at the end nothing approaches. So the final
+/// velocities lie in the cone, and differ from today's by an element of its polar cone; by Moreau's decomposition their
+/// norm is at least |Pv|.
+template <class Real>
+struct Projection {
+  Real lost{}, kept{};  ///< |v - Pv|^2 and |Pv|^2, each without cancellation
+};
+template <class Real>
+Projection<Real> project_on_separated(std::span<const Real> velocity, std::span<const Real> mass = {});
+
+/// Largest amount by which eps_eff can still fall when all contacts are open and the beads have these velocities.
+template <class Real>
+Real residual_dissipation(std::span<const Real> velocity, Real speed, std::span<const Real> mass = {});
+
+}  // namespace sigmasweep

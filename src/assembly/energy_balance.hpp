@@ -1,0 +1,100 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "assembly/column.hpp"
+
+namespace sigmasweep {
+
+/// Where sqrt(E/E_0), which ends as eps_eff, stands in the midst of a collision; E is kinetic and elastic energy.
+/// Any law and any masses: it is looked at rarely.
+template <class Real>
+class EnergyBalance {
+ public:
+  /// Contacts 0 (the wall) to N-1: which are closed, and their overlaps; velocities of the beads above them.
+  EnergyBalance(const Column<Real>& column, std::span<const std::uint8_t> closed, std::span<const Real> overlap,
+                std::vector<Real> velocity)
+      : column_(column), closed_(closed), x_(overlap), v_(std::move(velocity)) {
+    using std::sqrt;
+    for (std::size_t i = 0; i < v_.size(); ++i) energy_ += weighted(i, v_[i] * v_[i]);
+    for (std::size_t k = 0; k < v_.size(); ++k)
+      if (closed_[k]) energy_ += elastic(k);
+    Real mass(static_cast<double>(v_.size()));
+    if (!column.mass.empty()) mass = std::accumulate(column.mass.begin(), column.mass.end(), Real(0));
+    scale_ = sqrt(mass) * column.speed;
+  }
+
+  /// At most by this much sqrt(E/E_0) can still fall. A closed contact will hand on
+  /// int F dt >= -C x^(1+gamma)/(1+gamma) from now until it opens. With that little handed on at once, what
+  /// residual_dissipation() says holds for the velocities v' that result: |P v'| is kept of sqrt(E). Norms are weighted
+  /// with the masses.
+  Real remaining() const {
+    using std::sqrt;
+    std::vector<Real> handed_on = v_;
+    Real lost = 0;  // E - |P v'|^2 = (elastic) + (|v|^2 - |v'|^2) + |v' - P v'|^2, twice the energies
+    for (std::size_t k = 0; k < v_.size(); ++k) {
+      if (!closed_[k]) continue;
+      lost += elastic(k);
+      const Real impulse = still_to_come(k);
+      handed_on[k] -= per_mass(k, impulse);
+      if (k > 0) handed_on[k - 1] += per_mass(k - 1, impulse);
+    }
+    for (std::size_t k = 0; k < v_.size(); ++k) lost += weighted(k, (v_[k] - handed_on[k]) * (v_[k] + handed_on[k]));
+    const auto [apart, kept] = project_on_separated<Real>(handed_on, column_.mass);
+    lost += apart;
+    if (!(lost > 0)) return Real(0);
+    return lost / ((sqrt(energy_) + sqrt(kept)) * scale_);
+  }
+
+  /// The size of the change of sqrt(E/E_0) under a small change of overlaps and velocities (linear law); infinite if
+  /// these are not finite numbers.
+  Real change(std::span<const Real> overlap, std::span<const Real> velocity) const {
+    using std::abs, std::sqrt;
+    if (!(energy_ > 0)) return Real(0);
+    Real half = 0;
+    for (std::size_t k = 0; k < v_.size(); ++k) {
+      half += weighted(k, v_[k] * velocity[k]);
+      if (closed_[k]) half += column_.spring(k) * x_[k] * overlap[k];
+    }
+    const Real size = abs(half) / (sqrt(energy_) * scale_);
+    const Real infinity = std::numeric_limits<Real>::infinity();
+    return size < infinity ? size : infinity;
+  }
+
+ private:
+  /// Twice the elastic energy, 2 K x^(2+beta)/(2+beta).
+  Real elastic(std::size_t k) const {
+    using std::pow;
+    if (column_.exponents.linear()) return column_.spring(k) * x_[k] * x_[k];
+    const Real power = 2 + Real(column_.exponents.beta);
+    return 2 * column_.spring(k) * pow(x_[k], power) / power;
+  }
+  /// C x^(1+gamma)/(1+gamma), what the dashpot takes back on the way to x = 0.
+  Real still_to_come(std::size_t k) const {
+    using std::pow;
+    if (column_.exponents.linear()) return column_.dashpot(k) * x_[k];
+    const Real power = 1 + Real(column_.exponents.gamma);
+    return column_.dashpot(k) * pow(x_[k], power) / power;
+  }
+  Real weighted(std::size_t bead, const Real& value) const {
+    return column_.mass.empty() ? value : Real(column_.mass[bead] * value);
+  }
+  Real per_mass(std::size_t bead, const Real& value) const {
+    return column_.mass.empty() ? value : Real(value / column_.mass[bead]);
+  }
+
+  const Column<Real>& column_;
+  std::span<const std::uint8_t> closed_;
+  std::span<const Real> x_;
+  std::vector<Real> v_;
+  Real energy_{}, scale_{};
+};
+
+}  // namespace sigmasweep

@@ -1,0 +1,121 @@
+#include "assembly/ground.hpp"
+
+namespace sigmasweep {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+constexpr int bisections = 200;
+
+struct Sine {
+  double whole, less_angle;  ///< sin(angle), sin(angle) - angle
+};
+
+Sine sine_of(double angle) {
+  if (std::fabs(angle) > 1.0) return {std::sin(angle), std::sin(angle) - angle};
+  double sum = 0.0, term = -angle * angle * angle / 6.0;
+  for (double n = 4.0; sum + term < sum || sum + term > sum; n += 2.0) {
+    sum += term;
+    term *= -angle * angle / (n * (n + 1.0));
+  }
+  return {angle + sum, sum};
+}
+
+/// How long x takes to 0 under a load that stays what it is, all of them of either sign; NaN or infinite for never.
+double fall_time(const ContactState<double>& start, double load) {
+  const double root = std::sqrt(start.u * start.u - 2.0 * load * start.x);
+  return start.u > 0.0 ? -2.0 * start.x / (start.u + root) : (root - start.u) / load;
+}
+
+}  // namespace
+
+ContactState<double> Plate::flight(const ContactState<double>& entry, double t, double elapsed) const {
+  const double phase = omega * t, angle = omega * elapsed, half = std::sin(0.5 * angle);
+  const double less_one = -2.0 * half * half;  // cos(angle) - 1
+  const double sine = std::sin(phase), cosine = std::cos(phase);
+  const Sine turned = sine_of(angle);
+  return {entry.x + entry.u * elapsed + 0.5 * g * elapsed * elapsed +
+              A0 * (sine * less_one + cosine * turned.less_angle),
+          entry.u + g * elapsed + A0 * omega * (cosine * less_one - sine * turned.whole)};
+}
+
+double Plate::landing(ContactState<double> entry, double t) const {
+  entry.x = std::min(entry.x, 0.0);
+  for (double from = certain_flight(entry, t);;) {
+    const Piece piece = piece_from(t, from);
+    const ContactState<double> start = from > 0.0 ? flight(entry, t, from) : entry;
+    if (std::isnan(start.x)) return start.x;
+    if (start.x >= 0.0 && (start.u > 0.0 || (start.u == 0.0 && !piece.concave))) return from;
+    double to = piece.end;
+    if (piece.concave) {
+      if (start.u > 0.0) {
+        if (flight(entry, t, to).u < 0.0) to = highest(entry, t, from, to);
+        if (flight(entry, t, to).x >= 0.0) return root(entry, t, from, to, from);
+      }
+    } else {
+      double guess = fall_time(start, load(t + from)), x;
+      if (!(guess > 0.0 && guess < 0.25 * period())) guess = 0.25 * period();
+      double width = 1.01 * guess;
+      do {
+        to = std::min(piece.end, from + width);
+        x = flight(entry, t, to).x;
+        width *= 2.0;
+      } while (x < 0.0 && to < piece.end);
+      if (x >= 0.0) return root(entry, t, from, to, std::min(from + guess, to));
+    }
+    from = piece.end;
+  }
+}
+
+double Plate::take_off(double t) const {
+  const Piece piece = piece_from(t, 0.0);
+  return piece.concave ? t : t + piece.end;
+}
+
+/// A time at which the bead, thrown high, is still above the highest point of the plate. Spares landing() a walk
+/// through all the periods until then, at each collision that the bead has up there.
+double Plate::certain_flight(const ContactState<double>& now, double t) const {
+  const double above = height(t) - now.x - A0, up = speed(t) - now.u;
+  if (!(above > 0.0)) return 0.0;
+  return std::max(0.0, (up + std::sqrt(up * up + 2.0 * g * above)) / g - 0.01 * period());
+}
+
+/// Up to when the load keeps the sign that it has just after `from`.
+auto Plate::piece_from(double t, double from) const -> Piece {
+  if (!(alpha() > 1.0)) return {infinity, false};
+  const double rise = std::asin(1.0 / alpha());  // the load is below 0 at phases between this and pi - this
+  const double now = omega * (t + from), little = 4.0 * rounding * (1.0 + std::fabs(now));
+  const double begun = turn * std::floor((now + little) / turn), phase = now + little - begun;
+  const double until = phase < rise ? rise : phase < std::numbers::pi - rise ? std::numbers::pi - rise : turn + rise;
+  return {from + (begun + until - now) / omega, until == std::numbers::pi - rise};
+}
+
+/// Where the closing speed, which falls from positive to negative between low and high, is 0.
+double Plate::highest(const ContactState<double>& entry, double t, double low, double high) const {
+  for (int i = 0; i < bisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (!(middle > low && middle < high)) break;
+    (flight(entry, t, middle).u > 0.0 ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The overlap's only rise through 0 between low (below 0, or 0 and falling) and high (not below 0).
+double Plate::root(const ContactState<double>& entry, double t, double low, double high, double guess) const {
+  for (int i = 0; i < bisections; ++i) {
+    const ContactState<double> here = flight(entry, t, guess);
+    (here.x < 0.0 ? low : high) = guess;
+    double next = guess - here.x / here.u;
+    if (!(here.u > 0.0 && next >= low && next <= high)) {
+      next = 0.5 * (low + high);
+    } else if (const double step = next - guess; step * step * (g + A0 * omega * omega) <= rounding * here.u * guess) {
+      return next;  // what the curve can still bend away within a step is rounding
+    }
+    if (next == guess) break;
+    guess = next;
+  }
+  return guess;
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "contact/contact_state.hpp"
+#include "sigmasweep/model/parameters.hpp"
+
+namespace sigmasweep {
+
+/// The fixed wall of a column without gravity.
+struct FixedWall {
+  static constexpr bool moves = false;
+};
+
+/// What a solver's clock and lengths are in SI.
+struct VibrationUnits {
+  double time, length;  ///< s, m
+  double speed() const { return length / time; }
+};
+
+/// Soft spheres: tc and v0 tc, as in a column's collision. Hard ones: 1/omega and g/omega^2, in which alpha is all that
+/// there is of the plate.
+inline VibrationUnits vibration_units(const Parameters& p) {
+  const double omega = 2.0 * std::numbers::pi * p.frequency;
+  if (p.method == Method::ed) return {1.0 / omega, p.gravity / (omega * omega)};
+  return {p.tc, p.v0 * p.tc};
+}
+
+/// A plate that vibrates as z0(t) = A0 sin(omega t), Eq. (1), under gravity g, in any consistent units. Seen from the
+/// plate, gravity and its acceleration act on the lowest bead's contact alone: the overlap x = z0 - h_1 + d/2 obeys
+///     x'' = load(t) + what the contacts do,  load(t) = g + z0''(t) = g - A0 omega^2 sin(omega t),
+/// and all the other contacts, between beads that fall alike, know of neither.
+struct Plate {
+  static constexpr bool moves = true;
+  double g = 0.0, A0 = 0.0, omega = 0.0;
+
+  double period() const { return 2.0 * std::numbers::pi / omega; }
+  /// A0 omega^2/g
+  double alpha() const { return A0 * omega * omega / g; }
+  double height(double t) const { return A0 * std::sin(omega * t); }
+  double speed(double t) const { return A0 * omega * std::cos(omega * t); }
+  double load(double t) const { return g - A0 * omega * omega * std::sin(omega * t); }
+
+  static Plate of(const Parameters& p, const VibrationUnits& units) {
+    if (p.method == Method::ed) return {1.0, p.alpha, 1.0};
+    return {p.gravity * units.time / units.speed(), p.A0 / units.length,
+            2.0 * std::numbers::pi * p.frequency * units.time};
+  }
+
+  /// The contact `elapsed` after it was `entry` at time t, if nothing touches the bead meanwhile. No differences of
+  /// sines at nearby times: an overlap of 1e-12 keeps its digits.
+  ContactState<double> flight(const ContactState<double>& entry, double t, double elapsed) const;
+
+  /// How long a flight from `entry` (x <= 0) at time t lasts: until the overlap rises through 0. Gravity ends each. The
+  /// load changes its sign at known times; between two of them the overlap is convex or concave, rises through 0 once
+  /// or not at all, and an iteration of Newton's from the right side cannot miss that. A touching contact that nothing
+  /// drives apart lands at once.
+  double landing(ContactState<double> entry, double t) const;
+
+  /// Whether what rests on the plate at t stays there just afterwards.
+  bool holds(double t) const { return !piece_from(t, 0.0).concave; }
+
+  /// The first time from t on at which the plate does not hold what rests on it; infinite where its acceleration stays
+  /// below g.
+  double take_off(double t) const;
+
+ private:
+  struct Piece {
+    double end;    ///< after t, as is the argument
+    bool concave;  ///< load < 0
+  };
+  Piece piece_from(double t, double from) const;
+  double certain_flight(const ContactState<double>& now, double t) const;
+  double highest(const ContactState<double>& entry, double t, double low, double high) const;
+  double root(const ContactState<double>& entry, double t, double low, double high, double guess) const;
+};
+
+/// The plate's work int F_0 z0' dt, and what the contacts lost.
+struct PlateWork {
+  double in = 0.0, lost = 0.0;
+  PlateWork& operator+=(const PlateWork& other) {
+    in += other.in;
+    lost += other.lost;
+    return *this;
+  }
+};
+
+}  // namespace sigmasweep

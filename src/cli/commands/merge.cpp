@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+#include "cli/commands.hpp"
+#include "engine/ledger.hpp"
+#include "base/exit_codes.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "engine/summary.hpp"
+#include "store/table/table.hpp"
+#include "engine/stored_sweep.hpp"
+
+namespace sigmasweep {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Error(exit_code::bad_data, what + "; nothing was written");
+}
+
+/// The table of a part, which must be of this sweep (the first part: of any) and of this program.
+Table read_part(const std::string& path, const TableInfo* first) {
+  StoredSweep part = read_stored_sweep(path);
+  if (const std::string why_not = why_not_ours(part); !why_not.empty()) refuse(fmt::format("{} {}", path, why_not));
+  const TableInfo& info = part.table.info;
+  if (first != nullptr && info.spec_hash != first->spec_hash)
+    refuse(fmt::format("{} is of another spec (its hash is {:016x}, that of the first part {:016x})", path,
+                       info.spec_hash, first->spec_hash));
+  return std::move(part.table);
+}
+
+bool same_bits(const Row& a, const Row& b) {
+  return std::ranges::all_of(result_fields(), [&](const Field& field) {
+    return std::bit_cast<std::uint64_t>(number(field, a)) == std::bit_cast<std::uint64_t>(number(field, b));
+  });
+}
+
+bool is_there(const Row& row) { return row.collision.status != Status::not_run; }
+
+/// Puts the rows of `part` to the others. Throws where a row is there already and is not the same.
+void add(std::vector<Row>& rows, const Table& part, const std::string& path) {
+  std::string differing;
+  std::uint64_t count = 0;
+  for (const Row& row : part.rows) {
+    Row& there = rows[row.index];
+    if (!is_there(there)) there = row;
+    else if (!same_bits(there, row) && ++count <= 10)
+      differing += fmt::format("{}{}", count > 1 ? ", " : "", row.index);
+  }
+  if (count > 0)
+    refuse(fmt::format("{} has {} rows with other results than another part has for them: {}{}", path, count, differing,
+                       count > 10 ? ", ..." : ""));
+}
+
+/// All rows must be there; else says which slices are not.
+void require_all(const std::vector<Row>& rows, std::uint64_t slices) {
+  std::uint64_t missing = 0;
+  std::set<std::uint64_t> of;
+  for (std::uint64_t row = 0; row < rows.size(); ++row) {
+    if (is_there(rows[row])) continue;
+    ++missing;
+    of.insert(Slice::with(row, slices).index);
+  }
+  if (missing == 0) return;
+  std::string names;
+  for (const std::uint64_t slice : of) names += fmt::format("{}{}/{}", names.empty() ? "" : ", ", slice, slices);
+  refuse(fmt::format("{} of {} rows are missing, those of slice{} {}", missing, rows.size(), of.size() > 1 ? "s" : "",
+                     names));
+}
+
+}  // namespace
+
+int merge(const MergeOptions& options) {
+  Table first = read_part(options.parts.front(), nullptr);
+  const Sweep sweep = Sweep::parse(first.info.spec_text, options.parts.front());
+  Ledger ledger(sweep, options.output, LedgerOptions{.fresh = options.fresh, .reuse = {}});
+  if (ledger.table_is_complete()) {
+    ledger.close();
+    if (!options.quiet) fmt::print(stderr, "sigmasweep: {} is complete, nothing to merge\n", options.output);
+    return 0;
+  }
+  TableInfo info = first.info;
+  info.ranks = 0;
+  std::vector<Row> rows = ledger.rows();
+  std::uint64_t slices = 1;
+  try {
+    for (std::size_t i = 0; i < options.parts.size(); ++i) {
+      const Table part = i == 0 ? std::move(first) : read_part(options.parts[i], &info);
+      add(rows, part, options.parts[i]);
+      slices = std::max(slices, part.info.slice.count);
+      info.start = std::min(info.start, part.info.start);  // ISO 8601 sorts as text
+      info.ranks += part.info.ranks;
+    }
+    require_all(rows, slices);
+    info.slice = {};
+    write_table(MPI_COMM_SELF, options.output, info, sweep.columns(), rows.size(), 0, rows);
+  } catch (const Error&) {
+    if (ledger.there() == 0) ledger.close();  // a journal of no rows
+    throw;
+  }
+  ledger.close();
+  if (!options.quiet)
+    fmt::print(stderr, "{}: {} rows from {} tables\n{}", options.output, rows.size(), options.parts.size(),
+               summary(rows, Work{}, 1, 0.0));
+  return std::ranges::all_of(rows, [](const Row& row) { return is_success(row.collision.status); }) ? 0 : 1;
+}
+
+}  // namespace sigmasweep

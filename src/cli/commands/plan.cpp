@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "cli/commands.hpp"
+#include "sigmasweep/sweep/cost.hpp"
+#include "sweep/schedule.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+#include "engine/unstable_rows.hpp"
+
+namespace sigmasweep {
+namespace {
+
+struct Plan {
+  double core_seconds = 0.0, longest_seconds = 0.0, lower_bound_seconds = 0.0, makespan_seconds = 0.0;
+  std::uint64_t longest_row = 0;
+  bool sampled = false;
+};
+
+constexpr std::uint64_t most_rows = 1'000'000, samples = 200'000;
+
+/// Every row, or of a huge sweep rows spread evenly, each with its share of the total.
+Plan plan_of(const Sweep& sweep, int ranks) {
+  Plan plan;
+  plan.sampled = sweep.size() > most_rows;
+  const std::uint64_t count = plan.sampled ? samples : sweep.size();
+  // The k-th of `count` equal parts of the sweep; the golden ratio moves the place within the part about, so that the
+  // sample does not keep step with the axes.
+  const double part = static_cast<double>(sweep.size()) / static_cast<double>(count);
+  const auto row_of = [&](std::uint64_t k) {
+    if (!plan.sampled) return k;
+    const double turn = 0.6180339887498949 * static_cast<double>(k);
+    const double place =
+        part * (static_cast<double>(k) + (turn - static_cast<double>(static_cast<std::uint64_t>(turn))));
+    return std::min(static_cast<std::uint64_t>(place), sweep.size() - 1);
+  };
+  std::vector<std::uint64_t> rows(count);
+  std::vector<double> seconds(count);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    rows[k] = row_of(k);
+    seconds[k] = predicted_time(sweep.at(rows[k]));
+  }
+  const auto longest = std::max_element(seconds.begin(), seconds.end());
+  plan.longest_seconds = *longest;
+  plan.longest_row = rows[static_cast<std::size_t>(longest - seconds.begin())];
+  plan.core_seconds = part * std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  plan.lower_bound_seconds = std::max(plan.core_seconds / ranks, plan.longest_seconds);
+  if (!plan.sampled)
+    plan.makespan_seconds = Schedule(std::move(rows), std::move(seconds), ranks).predicted_makespan();
+  else
+    plan.makespan_seconds = plan.lower_bound_seconds + plan.longest_seconds * (ranks - 1) / ranks;  // Graham 1969
+  return plan;
+}
+
+std::string duration(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.3g} us", 1e6 * seconds);
+  if (seconds < 1.0) return fmt::format("{:.3g} ms", 1e3 * seconds);
+  if (seconds < 120.0) return fmt::format("{:.3g} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.3g} min", seconds / 60.0);
+  return fmt::format("{:.4g} h", seconds / 3600.0);
+}
+
+void print_text(const Sweep& sweep, const Plan& plan, int ranks) {
+  std::string axes;
+  for (std::size_t i = 0; i < sweep.axes().size(); ++i)
+    axes += fmt::format("{}{} ({})", i ? ", " : "", sweep.axes()[i], sweep.axis_sizes()[i]);
+  if (!sweep.title().empty()) fmt::print("{}\n", sweep.title());
+  fmt::print("tuples         {}\naxes           {}\n", sweep.size(), axes.empty() ? "none" : axes);
+  fmt::print("core time      {}\n", duration(plan.core_seconds));
+  fmt::print("longest tuple  {} (row {})\n", duration(plan.longest_seconds), plan.longest_row);
+  fmt::print("makespan       {} on {} {}, no schedule ends before {}\n", duration(plan.makespan_seconds), ranks,
+             ranks == 1 ? "rank" : "ranks", duration(plan.lower_bound_seconds));
+  if (plan.sampled) fmt::print("Times are estimates from a sample of {} tuples.\n", samples);
+}
+
+void print_json(const Sweep& sweep, const Plan& plan, int ranks) {
+  auto axes = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < sweep.axes().size(); ++i)
+    axes.push_back({{"name", sweep.axes()[i]}, {"size", sweep.axis_sizes()[i]}});
+  const nlohmann::ordered_json document = {{"title", sweep.title()},
+                                           {"spec_hash", fmt::format("{:016x}", sweep.hash())},
+                                           {"tuples", sweep.size()},
+                                           {"axes", axes},
+                                           {"ranks", ranks},
+                                           {"core_seconds", plan.core_seconds},
+                                           {"longest_seconds", plan.longest_seconds},
+                                           {"longest_row", plan.longest_row},
+                                           {"lower_bound_seconds", plan.lower_bound_seconds},
+                                           {"makespan_seconds", plan.makespan_seconds},
+                                           {"estimated_from_sample", plan.sampled}};
+  fmt::print("{}\n", document.dump(2));
+}
+
+}  // namespace
+
+int plan(const PlanOptions& options) {
+  const Sweep sweep = Sweep::load(options.spec);
+  const Plan result = plan_of(sweep, options.ranks);
+  if (const std::string warning = stability_warning(sweep); !warning.empty())
+    fmt::print(stderr, "sigmasweep: {}\n", warning);
+  if (options.json)
+    print_json(sweep, result, options.ranks);
+  else
+    print_text(sweep, result, options.ranks);
+  return 0;
+}
+
+}  // namespace sigmasweep

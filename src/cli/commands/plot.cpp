@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/commands.hpp"
+#include "cli/commands/plot_films.hpp"
+#include "plot/named.hpp"
+#include "studies/precision/pictures.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/plot/plot.hpp"
+#include "studies/precision/measure.hpp"
+#include "studies/stability/map_text_and_plot.hpp"
+#include "studies/precision/table.hpp"
+#include "engine/stored_sweep.hpp"
+
+namespace sigmasweep {
+namespace {
+
+bool has_overrides(const PlotOptions& o) {
+  return !o.x.empty() || !o.y.empty() || !o.x_scale.empty() || !o.y_scale.empty() || !o.series.empty();
+}
+
+/// The spec's plot with what the command line has instead. Fit and guides belong to the spec's axes.
+void override(PlotSpec& spec, const PlotOptions& options) {
+  if (!options.x.empty()) spec.x = options.x, spec.x_label.clear();
+  if (!options.y.empty()) spec.y = options.y, spec.y_label.clear(), spec.y_error.clear();
+  if (!options.x_scale.empty()) spec.x_log = options.x_scale == "log";
+  if (!options.y_scale.empty()) spec.y_log = options.y_scale == "log";
+  if (!options.series.empty()) spec.series = options.series;
+  spec.kind = PlotKind::points;
+  spec.fit.reset();
+  spec.guides.clear();
+}
+
+void draw(const StoredSweep& stored, const PlotSpec& spec, const PlotOptions& options, const std::string& file) {
+  const auto& [info, columns, rows] = stored.table;
+  std::vector<SeriesFit> fits;
+  switch (spec.kind) {
+    case PlotKind::points: fits = plot_rows(rows, spec, info.title, file); break;
+    case PlotKind::trajectories: plot_films(stored, spec, options.table, file); break;
+    case PlotKind::stability:
+      if (!stored.sweep)
+        throw UsageError("plot: the table's spec, which names the map's axes, cannot be read any more");
+      plot_stability(rows, spec, stored.sweep->axes(), info.title, file);
+  }
+  fmt::print("{}\n", file);
+  if (spec.fit && !options.quiet) fmt::print("{}", fit_table(fits, *spec.fit));
+}
+
+}  // namespace
+
+int plot(const PlotOptions& options) {
+  const std::filesystem::path table(options.table);
+  const std::string main_file =
+      options.output.empty() ? table.filename().replace_extension(".svg").string() : options.output;
+  if (is_precision_table(options.table)) {
+    if (has_overrides(options)) throw UsageError("plot: a precision study has its own axes and series");
+    draw_stored_precision(options.table, main_file, options.name);
+    return 0;
+  }
+  const StoredSweep stored = read_stored_sweep(options.table);
+  const std::vector<PlotSpec> all = stored.sweep ? stored.sweep->plots() : std::vector<PlotSpec>(1);
+  if (options.kind == "precision") {
+    plot_precision_of(stored.table.rows, stored.table.info.title, main_file);
+    fmt::print("{}\n", main_file);
+    return 0;
+  }
+  if (options.kind == "stability") {
+    draw(stored, stability_plot(all), options, main_file);
+    return 0;
+  }
+  std::vector<PlotSpec> plots = all;
+  if (!options.name.empty()) plots = {plot_named(all, options.name)};
+  if (has_overrides(options)) {
+    plots.resize(1);
+    override(plots[0], options);
+  }
+  for (const PlotSpec& spec : plots) {
+    const bool has_main_file = spec.name == all[0].name || (!options.name.empty() && !options.output.empty());
+    draw(stored, spec, options, has_main_file ? main_file : picture_named(main_file, spec.name));
+  }
+  return 0;
+}
+
+}  // namespace sigmasweep

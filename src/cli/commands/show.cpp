@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "cli/commands.hpp"
+#include "cli/json_row.hpp"
+#include "sweep/expression/where.hpp"
+#include "engine/stored_sweep.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// A number short enough for a column; everything else in full.
+std::string cell(const Field& field, const Row& row) {
+  if (field.type != FieldType::real) return text(field, row);
+  if (field.name == "eps_eff") return fmt::format("{:.12g}", number(field, row));
+  if (field.name == "eps_eff_error" || field.name == "h_cm_error") return fmt::format("{:.1e}", number(field, row));
+  return fmt::format("{:.6g}", number(field, row));
+}
+
+void print_columns(const std::vector<Field>& fields, const std::vector<const Row*>& rows, bool with_command) {
+  std::vector<std::vector<std::string>> lines(2);
+  lines[0].emplace_back("row");
+  lines[1].emplace_back("");
+  for (const Field& field : fields) {
+    lines[0].emplace_back(field.name);
+    lines[1].emplace_back(field.unit == "1" ? "" : field.unit);
+  }
+  for (const Row* row : rows) {
+    auto& line = lines.emplace_back(std::vector{fmt::format("{}", row->index)});
+    for (const Field& field : fields) line.push_back(cell(field, *row));
+  }
+  std::vector<std::size_t> widths(fields.size() + 1);
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    std::string out;
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      out += fmt::format("{}{:>{}}", i ? "  " : "", lines[k][i], widths[i]);
+    fmt::print("{}\n", out);
+    if (with_command && k >= 2) fmt::print("  {}\n", repeat_command(*rows[k - 2]));
+  }
+}
+
+std::string slice_line(const Slice& slice) {
+  if (slice.is_whole()) return {};
+  return fmt::format("Slice {} of {} (0 to {}): 'sigmasweep merge' joins them.\n", slice.index, slice.count,
+                     slice.count - 1);
+}
+
+void print_text(const StoredSweep& stored, const ShowOptions& options, const std::vector<const Row*>& rows,
+                std::size_t matching) {
+  const Table& table = stored.table;
+  fmt::print("{}\n{}: {} rows ({}), spec {:016x}, {} on {}, {} {}\n{}\n", table.info.title, options.table,
+             table.rows.size(), rows_by_status(table.rows), table.info.spec_hash, table.info.start, table.info.host,
+             table.info.ranks, table.info.ranks == 1 ? "rank" : "ranks", slice_line(table.info.slice));
+  if (rows.empty()) {
+    fmt::print("no such rows\n");
+    return;
+  }
+  print_columns(table.columns, rows, options.failed);
+  if (matching > rows.size()) fmt::print("... {} more (--limit 0 shows all, --where some)\n", matching - rows.size());
+}
+
+void print_json(const StoredSweep& stored, const ShowOptions& options, const std::vector<const Row*>& rows,
+                std::size_t matching) {
+  const Table& table = stored.table;
+  nlohmann::ordered_json document = {
+      {"title", table.info.title}, {"spec_hash", fmt::format("{:016x}", table.info.spec_hash)},
+      {"start", table.info.start}, {"host", table.info.host},
+      {"ranks", table.info.ranks}, {"rows", table.rows.size()},
+      {"matching", matching},      {"results", nlohmann::ordered_json::array()}};
+  if (!table.info.slice.is_whole())
+    document["slice"] = {{"index", table.info.slice.index}, {"count", table.info.slice.count}};
+  for (const Row* row : rows) {
+    nlohmann::ordered_json result = {{"row", row->index}};
+    result.update(json_of(table.columns, *row));
+    result.update(json_of(timing_fields(), *row));
+    if (options.failed) result["repeat"] = repeat_command(*row);
+    document["results"].push_back(std::move(result));
+  }
+  // A title of broken text is no reason to show nothing.
+  fmt::print("{}\n", document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+}  // namespace
+
+int show(const ShowOptions& options) {
+  const std::vector<Field> fields = all_fields();
+  std::optional<Where> where;
+  if (!options.where.empty()) where.emplace(options.where, fields);
+  const StoredSweep stored = read_stored_sweep(options.table);
+  const std::uint64_t limit = options.limit.value_or(options.json ? 0 : ShowOptions::default_limit);
+  std::vector<const Row*> rows;
+  std::size_t matching = 0;
+  for (const Row& row : stored.table.rows) {
+    if ((options.failed && is_success(row.collision.status)) || (where && !(*where)(row))) continue;
+    if (++matching <= limit || limit == 0) rows.push_back(&row);
+  }
+  if (options.json)
+    print_json(stored, options, rows, matching);
+  else
+    print_text(stored, options, rows, matching);
+  return 0;
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,41 @@
+#include "engine/deadline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sigmasweep {
+namespace {
+
+constexpr double step = 0.05, quantile = 0.95;
+constexpr double least_ratio = 0.2;  // however pessimistic the cost model was so far
+
+}  // namespace
+
+void Deadline::learn(const Timing& row) {
+  if (!(row.predicted_time > 0.0) || !(row.run_time > 0.0)) return;
+  const double ratio = std::max(row.run_time / row.predicted_time, least_ratio);
+  weight_[static_cast<int>(std::ceil(std::log(ratio) / std::log1p(step)))] += row.predicted_time;
+  total_ += row.predicted_time;
+  if (total_ > 1.02 * told_) update_factor();  // rows by the hundred thousand change little each
+}
+
+void Deadline::update_factor() {
+  told_ = total_;
+  double above = 0.0;
+  for (auto it = weight_.rbegin(); it != weight_.rend(); ++it) {
+    above += it->second;
+    factor_ = std::pow(1.0 + step, it->first);
+    if (above > (1.0 - quantile) * total_) return;
+  }
+}
+
+double Deadline::most_seconds() const {
+  return std::chrono::duration<double>(end_ - Clock::now()).count() / factor();
+}
+
+double time_for_the_end(double seconds, double table_bytes) {
+  constexpr double bytes_per_second = 20e6;
+  return std::max(std::min(10.0, 0.1 * seconds), table_bytes / bytes_per_second);
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "store/journal/journal.hpp"
+#include "store/table/table.hpp"
+#include "sigmasweep/model/row.hpp"
+#include "sweep/slice.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+
+namespace sigmasweep {
+
+/// What a run begins with.
+struct LedgerOptions {
+  bool fresh = false;              ///< replace whatever is there
+  Slice slice{};                   ///< the rows wanted
+  bool extend = false;             ///< take over what a table or journal of another spec at the same place has
+  std::vector<std::string> reuse;  ///< and other tables
+  bool retry = false;              ///< leave out rows whose status is not reproducible: they are computed again
+};
+
+/// The manager's view of a sweep under way: which rows are there, which are still to do, and the journal where each is
+/// kept as it comes in.
+class Ledger {
+ public:
+  /// Takes the lock, then looks at what is there already. A table that is complete for this spec gives all its rows;
+  /// a journal gives the rows it has, if their parameters are still the same to the bit. A journal, even an empty one,
+  /// is younger than the table beside it: a run removes it last, --fresh keeps the table until it can replace it, and
+  /// no other run begins one beside a complete table. Rows that are taken over from elsewhere are what a journal begins
+  /// with.
+  /// Throws SpecError (more rows than fit into memory; fewer than slices), InputNotFound, OutputError (locked; a table
+  /// or journal of something else, unless `fresh` or, where possible, `extend`), IoError.
+  Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options);
+
+  bool table_is_complete() const { return table_is_complete_; }
+  std::vector<std::uint64_t> missing() const;
+  std::uint64_t kept() const { return kept_; }    ///< rows there from the start
+  std::uint64_t taken() const { return taken_; }  ///< of them: taken over from another sweep, just now
+  const std::vector<std::string>& remarks() const { return remarks_; }  ///< on what was not taken over
+  std::uint64_t there() const { return there_; }
+  bool is_complete() const { return there_ == rows_.size(); }
+  const std::vector<Row>& rows() const { return rows_; }  ///< of the slice, in spec order; status not_run where missing
+
+  /// A row came in: to the journal, then to rows(). Throws IoError.
+  void enter(Row row);
+  bool has(std::uint64_t row) const;
+  /// A row that is not to be computed: it is there from now on, as Status::quarantined. Throws IoError.
+  void quarantine(const Tuple& tuple);
+  void sync() { journal_.sync(); }
+  /// The table is written and checked, or was there: the journal is not needed any more.
+  void close() { journal_.remove(); }
+
+ private:
+  struct Source {
+    std::string path, why_not;
+    std::vector<Row> rows;
+  };
+  Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options, const std::vector<Source>& others);
+  static std::vector<Source> sources(const LedgerOptions& options);
+  std::vector<Row> carry(const Sweep& sweep, const std::vector<Row>& old);
+  void take_journal(const Sweep& sweep);
+  void take_table(const Sweep& sweep, const std::string& path, bool begun, bool extend);
+  void take_rows(const Sweep& sweep, const Table& table, const std::string& path);
+  void take_over(const Sweep& sweep, const Source& source);
+  void keep(const Row& row);
+  void keep_or_retry(const Row& row);
+
+  Slice slice_;
+  bool retry_;
+  std::uint64_t there_ = 0, kept_ = 0, taken_ = 0;
+  Journal journal_;  // as it opens it may take over rows already
+  std::vector<Row> rows_;
+  std::vector<bool> have_;
+  std::vector<Row> new_;  // kept, but in no journal yet
+  std::map<std::uint64_t, std::int32_t> attempts_;  // of rows that were tried before and are not kept
+  std::vector<std::string> remarks_;
+  bool table_is_complete_ = false;
+};
+
+}  // namespace sigmasweep

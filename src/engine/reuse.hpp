@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sigmasweep/model/row.hpp"
+#include "sweep/slice.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+
+namespace sigmasweep {
+
+/// The rows of `slice` of the sweep that are among `old`, wherever they were there: the same tuple by content_key().
+std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const Slice& slice);
+
+/// Rows of a table that may be taken over.
+struct ReusableRows {
+  std::vector<Row> rows;
+  std::string why_not;  ///< if there are none: of other physics, another build, ...
+};
+/// Throws as read_table().
+ReusableRows reusable_rows(const std::string& table);
+
+}  // namespace sigmasweep

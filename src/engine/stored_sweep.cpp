@@ -1,0 +1,83 @@
+#include "engine/stored_sweep.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+
+#include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/names.hpp"
+#include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+#include "store/build_info.hpp"
+#include "sigmasweep/model/relevance.hpp"
+
+namespace sigmasweep {
+
+StoredSweep read_stored_sweep(const std::string& path) {
+  StoredSweep stored{read_table(path), std::nullopt};
+  try {
+    stored.sweep = Sweep::parse(stored.table.info.spec_text, path);
+  } catch (const SpecError&) {  // of another version: the table itself is still good
+    return stored;
+  }
+  if (stored.sweep->hash() != stored.table.info.spec_hash)
+    throw IoError(fmt::format("{}: its spec is not the one that it was made from", path));
+  auto& rows = stored.table.rows;
+  if (stored.table.info.slice.size(stored.sweep->size()) != rows.size())
+    throw IoError(fmt::format("{}: its rows are not those of its spec", path));
+  for (Row& row : rows) row.parameters = stored.sweep->at(row.index);
+  return stored;
+}
+
+std::string why_not_ours(const StoredSweep& stored) {
+  if (!stored.sweep) return "has a spec that this program cannot read";
+  const std::string physics = why_other_physics(stored.table.info);
+  return physics.empty() ? why_other_build(stored.table.info) : physics;
+}
+
+std::string why_other_physics(const TableInfo& info) {
+  if (info.physics_version == physics_version) return {};
+  return fmt::format("was computed with physics version {}, this program has {}", info.physics_version,
+                     physics_version);
+}
+
+std::string why_other_build(const TableInfo& info) {
+  if (info.build == build_name()) return {};
+  return "was computed by another build of the program, whose last digits may differ";
+}
+
+std::string rows_by_status(std::span<const Row> rows) {
+  const auto names = names_of<Status>();
+  std::vector<std::uint64_t> counts(names.size());
+  for (const Row& row : rows) ++counts.at(static_cast<std::size_t>(row.collision.status));
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (counts[i] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", names[i], counts[i]);
+  return text;
+}
+
+std::string repeat_command(const Row& row) {
+  // Both of s0 and sigma are stored, and both of alpha and A0; give the one that the other follows from to the bit.
+  Parameters p = row.parameters;
+  p.A0 = 0.0;
+  give_gap(p, Gap::s0);
+  give_plate(p);
+  const bool from_s0 = p.sigma == row.parameters.sigma, from_alpha = p.A0 == row.parameters.A0;
+  const Row defaults;
+  std::string command = "sigmasweep one";
+  for (const Field& field : parameter_fields()) {
+    if (field.name == (from_s0 ? "sigma" : "s0") || field.name == (from_alpha ? "A0" : "alpha")) continue;
+    if (!is_used(field, row.parameters)) continue;
+    static constexpr auto always =
+        std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "rows", "epsilon", "beta", "gamma"});
+    const bool needed = std::find(always.begin(), always.end(), field.name) != always.end();
+    const bool chooses = field.name == "tolerance" && row.parameters.steps_per_tc == 0.0;  // the step, by being given
+    if (!needed && !chooses && number(field, row) == number(field, defaults)) continue;
+    std::string option(field.name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    command += fmt::format(" --{} {}", option, text(field, row));
+  }
+  return command;
+}
+
+}  // namespace sigmasweep

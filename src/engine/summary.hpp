@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "sigmasweep/model/row.hpp"
+
+namespace sigmasweep {
+
+/// The largest spread of eps_eff among rows that should be the same point: equal sigma (to 1e-12, relative), N,
+/// epsilon, method, wall and integrator with its accuracy (steps_per_tc or tolerance), but other v0, tc or s0. How
+/// universal the curve is. Rows without a result do not count.
+struct Universality {
+  double spread = 0.0;       ///< largest max - min of eps_eff within a group
+  double sigma = 0.0;        ///< where
+  std::uint64_t groups = 0;  ///< groups of at least two rows
+};
+Universality universality(std::span<const Row> rows);
+
+/// The computing that was done in one run (a run that goes on with an earlier one computes only some of the rows).
+struct Work {
+  std::uint64_t rows = 0;
+  double cpu_seconds = 0.0, longest_seconds = 0.0;
+  void add(const Row& row);
+};
+
+/// What the sweep ends with: rows by status, quantiles of error and run time, makespan against its lower bound
+/// max(sum/ranks, longest), universality. `wall_seconds` is the time that the computing of `work` took on `ranks`
+/// ranks, 0 when nothing was computed.
+std::string summary(std::span<const Row> rows, const Work& work, int ranks, double wall_seconds);
+/// The same when all rows were computed in that time.
+std::string summary(std::span<const Row> rows, int ranks, double wall_seconds);
+
+}  // namespace sigmasweep

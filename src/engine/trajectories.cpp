@@ -1,0 +1,119 @@
+#include "engine/trajectories.hpp"
+
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+
+#include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/trajectory/trajectory.hpp"
+#include "store/h5md.hpp"
+#include "mpi/collective_sum.hpp"
+#include "engine/trajectory_files.hpp"
+
+namespace sigmasweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool exists(const std::string& path) {
+  std::error_code error;
+  return fs::exists(fs::symlink_status(path, error));
+}
+
+[[noreturn]] void refuse(const std::string& path, std::uint64_t row) {
+  throw OutputError(fmt::format("{}: is there already and is not the trajectory of row {} of this sweep; nothing was "
+                                "changed. Choose another output with -o, or --fresh to replace it", path, row));
+}
+
+/// Files of the names that we give, and what a killed run left of them.
+void remove_files(const std::string& directory) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(directory, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("row-") || !(name.ends_with(".h5") || name.ends_with(".h5.part"))) continue;
+    if (!fs::remove(entry.path(), error) && error)
+      throw OutputError(fmt::format("cannot remove {}: {}", entry.path().string(), error.message()));
+  }
+}
+
+double duration_of(const TrajectorySpec& spec, const Row& row) {
+  return spec.duration > 0.0 ? spec.duration : show_time(row.parameters, row.collision);
+}
+
+/// The rows to film in the order in which World::scatter deals them out: rank r gets every size-th from r on.
+std::vector<Row> dealt(const Sweep& sweep, const std::vector<Row>& rows, int ranks) {
+  std::vector<Row> chosen, in_turns;
+  for (const std::uint64_t row : sweep.trajectory()->rows) {
+    const Parameters parameters = sweep.at(row);  // a table that was read back has only those that are columns
+    if (!std::isfinite(show_time(parameters, rows[row].collision))) continue;  // no result, nothing to see
+    chosen.push_back(rows[row]);
+    chosen.back().index = row;
+    chosen.back().parameters = parameters;
+  }
+  for (std::size_t rank = 0; rank < static_cast<std::size_t>(ranks); ++rank)
+    for (std::size_t k = rank; k < chosen.size(); k += static_cast<std::size_t>(ranks)) in_turns.push_back(chosen[k]);
+  return in_turns;
+}
+
+void write(const TrajectorySpec& spec, const std::string& table, const Row& row) {
+  const std::string path = trajectory_file(table, row.index);
+  const double duration = duration_of(spec, row);
+  if (exists(path)) {
+    if (!is_h5md_of(path, row.parameters, spec.samples, duration)) refuse(path, row.index);
+    return;
+  }
+  write_h5md(path, {row.index, row.parameters}, record(row.parameters, sample_times(duration, spec.samples)));
+}
+
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  fs::create_directory(directory, error);
+  if (error || !fs::is_directory(directory))
+    throw OutputError(fmt::format("cannot create {}: {}", directory, error ? error.message() : "it is a file"));
+}
+
+}  // namespace
+
+void remove_trajectories(const Sweep& sweep, const std::string& table) {
+  if (sweep.trajectory()) remove_files(trajectory_directory(table));
+}
+
+void require_own_trajectories(const Sweep& sweep, const std::string& table) {
+  if (!sweep.trajectory()) return;
+  const TrajectorySpec& spec = *sweep.trajectory();
+  if (!exists(trajectory_directory(table))) return;
+  const double duration = spec.duration > 0.0 ? spec.duration : std::numeric_limits<double>::quiet_NaN();
+  for (const std::uint64_t row : spec.rows)
+    if (const std::string path = trajectory_file(table, row);
+        exists(path) && !is_h5md_of(path, sweep.at(row), spec.samples, duration))
+      refuse(path, row);
+}
+
+Films write_trajectories(const World& world, const Sweep& sweep, const std::string& table,
+                         const std::vector<Row>& rows, const StopRequest& stop) {
+  const auto comm = static_cast<MPI_Comm>(world.native());
+  std::vector<Row> all;
+  const std::uint64_t wanted = together(comm, [&] {
+    if (!world.is_manager()) return std::uint64_t{0};
+    make_directory(trajectory_directory(table));
+    all = dealt(sweep, rows, world.size());
+    return std::uint64_t{all.size()};
+  });
+  const std::vector<Row> mine = world.scatter(all, wanted);
+  const std::uint64_t there = together(comm, [&] {
+    std::uint64_t done = 0;
+    for (const Row& row : mine) {
+      if (stop.made()) break;
+      write(*sweep.trajectory(), table, row);
+      ++done;
+    }
+    return done;
+  });
+  return {wanted, there};
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <exception>
+
+#include "base/exit_codes.hpp"
+#include "mpi/world.hpp"
+#include "sigmasweep/base/errors.hpp"
+
+namespace sigmasweep {
+
+/// Does `step`, which returns an exit code, on the manager; all ranks learn how it went. The manager throws what the
+/// step threw, the other ranks return its exit code: nobody is left waiting. Collective.
+template <class Step>
+int on_manager(const World& world, Step step) {
+  std::exception_ptr error;
+  int code = exit_code::success;
+  if (world.is_manager()) {
+    try {
+      code = step();
+    } catch (const Error& e) {
+      code = e.exit_code();
+      error = std::current_exception();
+    } catch (...) {
+      code = exit_code::internal_error;
+      error = std::current_exception();
+    }
+  }
+  code = static_cast<int>(world.broadcast(std::int64_t{code}));
+  if (error) std::rethrow_exception(error);
+  return code;
+}
+
+}  // namespace sigmasweep

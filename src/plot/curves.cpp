@@ -1,0 +1,121 @@
+#include "plot/curves.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "plot/labels.hpp"
+
+namespace sigmasweep::plot {
+namespace {
+
+/// Hard spheres know neither v0, tc nor the gap: their results without a unit are the same for all.
+bool same_for_hard_spheres(const Field& field) {
+  static constexpr auto names = std::to_array<std::string_view>(
+      {"method", "v0", "tc", "s0", "sigma", "d", "integrator", "steps_per_tc", "tolerance"});
+  return std::find(names.begin(), names.end(), field.name) != names.end();
+}
+
+/// x without its last digits: rows that should agree do.
+double rounded(double x) {
+  if (x == 0.0) return 0.0;
+  const double scale = std::pow(10.0, 11.0 - std::floor(std::log10(std::abs(x))));
+  return std::isfinite(scale) ? std::round(x * scale) / scale : x;
+}
+
+void append(std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; }
+
+std::string plain(const Field& field, const Row& row) { return fmt::format("{} = {}", field.name, text(field, row)); }
+
+}  // namespace
+
+Curves::Curves(const PlotSpec& spec, const Coordinate& x, const Coordinate& y, bool with_hard_line)
+    : universal_(!y.has_unit()), with_hard_line_(with_hard_line), joined_(spec.lines) {
+  for (const auto& name : spec.series) series_.push_back(&field_named(name));
+  for (const auto& name : spec.mean_over) mean_over_.push_back(&field_named(name));
+  for (const char* name : {"N", "epsilon", "wall"})  // a line must not jump between these, named in the key or not
+    if (!x.uses(name) && std::ranges::find(spec.mean_over, name) == spec.mean_over.end())
+      line_keys_.push_back(&field_named(name));
+}
+
+std::size_t Curves::curve_of(const Row& row) {
+  const bool hard = row.parameters.method == Method::ed, line = hard && with_hard_line_;
+  const bool lrv = row.parameters.ed_rule == EdRule::lrv;
+  const bool merged = line && universal_ && lrv;
+  std::vector<double> key{hard ? (lrv ? 1.0 : 2.0) : 0.0};
+  std::string label, name;
+  for (const Field* field : series_) {
+    if (!merged || !same_for_hard_spheres(*field)) key.push_back(number(*field, row));
+    if (field->name == "ed_rule" && (line || !hard)) continue;  // said already, or of no meaning
+    if (line && (field->name == "method" || (lrv && same_for_hard_spheres(*field)))) continue;
+    append(label, value_label(*field, row));
+    append(name, plain(*field, row));
+  }
+  const std::string rule = lrv ? "ED (LRV)" : "ED (TC)";
+  if (line) {
+    for (const Field* field : line_keys_) key.push_back(number(*field, row));
+    label = label.empty() ? rule : rule + ", " + label;
+    name = name.empty() ? rule : rule + ", " + name;
+  }
+  if (label.empty()) label = name = hard ? rule : "MD";
+  const auto [place, fresh] = places_.try_emplace(std::move(key), curves_.size());
+  if (fresh) {
+    if (!labels_.insert(label).second) label.clear();
+    curves_.push_back({.label = std::move(label), .name = std::move(name), .line = line});
+  }
+  return place->second;
+}
+
+std::size_t Curves::add(const Row& row, const Point& point) {
+  const std::size_t curve = curve_of(row);
+  if (mean_over_.empty())
+    curves_[curve].points.push_back(point);
+  else
+    add_to_mean(curve, row, point);
+  return curve;
+}
+
+void Curves::Mean::add(double y) {  // Welford
+  const double delta = y - mean;
+  mean += delta / static_cast<double>(++n);
+  squares += delta * (y - mean);
+}
+
+/// Rows that agree in x and in mean_over differ in something else, and are not averaged with each other: the first of
+/// them belongs to one mean, the second to another.
+void Curves::add_to_mean(std::size_t curve, const Row& row, const Point& point) {
+  std::vector<double> over;
+  for (const Field* field : mean_over_) over.push_back(number(*field, row));
+  const Place place{curve, rounded(point.x)};
+  const std::uint64_t which = seen_[{place, std::move(over)}]++;
+  const auto [group, fresh] = groups_.try_emplace({place, which}, means_.size());
+  if (fresh) means_.push_back({.curve = curve, .x = point.x});
+  means_[group->second].add(point.y);
+}
+
+void Curves::take_means() {
+  if (means_.empty()) return;
+  for (const Mean& m : means_) {
+    const double deviation = m.n > 1 ? std::sqrt(m.squares / static_cast<double>(m.n - 1)) : 0.0;
+    curves_[m.curve].points.push_back({m.x, m.mean, deviation});
+  }
+  std::string over;
+  for (const Field* field : mean_over_) append(over, symbol_of(*field));
+  const auto [least, most] = std::ranges::minmax_element(means_, {}, &Mean::n);
+  note_ = fmt::format("Means over {}, n = {}, bars: standard deviation", over,
+                      least->n == most->n ? fmt::format("{}", most->n) : fmt::format("{} to {}", least->n, most->n));
+}
+
+std::vector<Curve> Curves::take() {
+  take_means();
+  for (auto& curve : curves_) {
+    if (!curve.line && !joined_) continue;
+    curve.path = curve.points;
+    std::ranges::stable_sort(curve.path, {}, &Point::x);
+    if (curve.line) curve.points.clear();
+  }
+  return std::move(curves_);
+}
+
+}  // namespace sigmasweep::plot

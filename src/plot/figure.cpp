@@ -1,0 +1,182 @@
+#include "plot/figure.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "plot/coordinate.hpp"
+#include "plot/curves.hpp"
+#include "plot/guides.hpp"
+#include "plot/labels.hpp"
+#include "plot/range.hpp"
+#include "plot/row_choice.hpp"
+
+namespace sigmasweep::plot {
+namespace {
+
+/// What is left out, for the note.
+struct Dropped {
+  std::uint64_t failed = 0, not_positive_x = 0, not_positive_y = 0, not_finite = 0;
+};
+
+void append(std::string& note, const std::string& part) {
+  if (!part.empty()) note += (note.empty() ? "" : "; ") + part;
+}
+
+std::string note_of(const Dropped& dropped, const Coordinate& x, const Coordinate& y) {
+  std::string note;
+  const auto add = [&note](std::uint64_t count, const std::string& what) {
+    if (count == 0) return;
+    note += fmt::format("{}{} {} {}", note.empty() ? "Not drawn: " : "; ", count, count == 1 ? "row" : "rows", what);
+  };
+  add(dropped.failed, "that failed");
+  add(dropped.not_positive_x, fmt::format("with {} ≤ 0 (logarithmic axis)", x.symbol()));
+  add(dropped.not_positive_y, fmt::format("with {} ≤ 0 (logarithmic axis)", y.symbol()));
+  add(dropped.not_finite, "without a finite value");
+  return note;
+}
+
+/// The rows that the plot is about.
+std::vector<const Row*> chosen(std::span<const Row> rows, const std::string& where) {
+  std::vector<const Row*> kept;
+  RowChoice is_chosen(where);
+  for (const Row& row : rows)
+    if (is_chosen(row)) kept.push_back(&row);
+  return kept;
+}
+
+bool occurs(const std::vector<const Row*>& rows, Method method) {
+  return std::ranges::any_of(rows, [&](const Row* row) {
+    return row->parameters.method == method && is_success(row->collision.status);
+  });
+}
+
+/// Fits each series of symbols; the slopes go to the key. Says which could not be.
+std::string fit_all(std::vector<Curve>& curves, const FitSpec& spec) {
+  std::string note;
+  for (Curve& curve : curves) {
+    if (curve.line) continue;
+    curve.fit = fit(curve.points, spec);
+    if (!curve.fit)
+      append(note, fmt::format("no fit for {}: fewer than two points in the range", escape_markup(curve.name)));
+    else if (!curve.label.empty())
+      curve.label += ": slope " + with_error(curve.fit->slope, curve.fit->slope_error);
+  }
+  return note;
+}
+
+double to_scale(const Axis& axis, double value) { return axis.log ? std::log10(value) : value; }
+double from_scale(const Axis& axis, double value) { return axis.log ? std::pow(10.0, value) : value; }
+
+/// The range that an axis must have, on its scale.
+class AxisRange {
+ public:
+  explicit AxisRange(Axis& axis) : axis_(axis) {}
+  void hold(double value) {
+    if (!axis_.log || value > 0.0) range_.take(to_scale(axis_, value));
+  }
+  /// Sets the axis to it, with a margin on both sides.
+  void set() {
+    const auto [low, high] = range_.is_empty() ? Range{0.0, 0.0} : range_;
+    const double margin = high > low ? 0.04 * (high - low) : axis_.log ? 0.5 : std::max(0.5 * std::abs(low), 1e-3);
+    axis_.from = from_scale(axis_, low - margin);
+    axis_.to = from_scale(axis_, high + margin);
+  }
+
+ private:
+  Axis& axis_;
+  Range range_;
+};
+
+void set_ranges(Figure& figure, const PlotSpec& spec) {
+  AxisRange x(figure.x), y(figure.y);
+  for (const auto& curve : figure.curves)
+    for (const auto* points : {&curve.points, &curve.path})
+      for (const auto& point : *points) {
+        x.hold(point.x);
+        y.hold(point.y - point.deviation);
+        y.hold(point.y + point.deviation);
+      }
+  for (const GuideSpec& guide : spec.guides)
+    if (guide.y) y.hold(*guide.y);
+  x.set();
+  y.set();
+}
+
+/// Of symbols that would cover each other, in a cell of about a symbol's size, one is drawn, and the curves take turns:
+/// where they all fall on one line each of them stays visible, and the picture of a huge sweep stays small.
+void take_turns(Figure& figure) {
+  constexpr double columns = 110.0, lines = 75.0;
+  std::map<std::pair<long, long>, std::map<std::size_t, Point>> cells;
+  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+    for (const Point& p : figure.curves[i].points)
+      cells[{std::lround(columns * fraction(figure.x, p.x)), std::lround(lines * fraction(figure.y, p.y))}].try_emplace(
+          i, p);
+    figure.curves[i].points.clear();
+  }
+  for (const auto& [place, candidates] : cells) {
+    const auto drawn = [&](const auto& candidate) { return figure.curves[candidate.first].points.size(); };
+    const auto& [curve, point] = *std::ranges::min_element(candidates, {}, drawn);
+    figure.curves[curve].points.push_back(point);
+  }
+}
+
+/// The field or expression for error bars; empty: none.
+std::string error_of(const PlotSpec& spec) {
+  if (!spec.y_error.empty() || !spec.mean_over.empty()) return spec.y_error;
+  return spec.y == "h_cm" || spec.y == "h_cm_excess" ? "h_cm_error" : "";
+}
+
+}  // namespace
+
+double fraction(const Axis& axis, double value) {
+  const double from = to_scale(axis, axis.from), to = to_scale(axis, axis.to);
+  return (to_scale(axis, value) - from) / (to - from);
+}
+
+double value_at(const Axis& axis, double fraction) {
+  const double from = to_scale(axis, axis.from), to = to_scale(axis, axis.to);
+  return from_scale(axis, from + fraction * (to - from));
+}
+
+Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::string& title) {
+  Coordinate x(spec.x), y(spec.y);
+  std::optional<Coordinate> error;
+  if (const std::string field = error_of(spec); !field.empty()) error.emplace(field);
+  Figure figure;
+  figure.title = spec.title.empty() ? title : spec.title;
+  figure.x = {.label = spec.x_label.empty() ? x.axis_label() : spec.x_label, .log = spec.x_log};
+  figure.y = {.label = spec.y_label.empty() ? y.axis_label() : spec.y_label, .log = spec.y_log};
+
+  const auto drawable = chosen(rows, spec.where);
+  Dropped dropped;
+  // Hard spheres beside soft ones are a line, which has no bars.
+  Curves curves(spec, x, y, !error && occurs(drawable, Method::md) && occurs(drawable, Method::ed));
+  Guides guides(spec);
+  for (const Row* row : drawable) {
+    const double deviation = error ? (*error)(*row) : 0.0;
+    const Point point{x(*row), y(*row), std::isfinite(deviation) ? deviation : 0.0};
+    if (!is_success(row->collision.status))
+      ++dropped.failed;
+    else if (!std::isfinite(point.x) || !std::isfinite(point.y))
+      ++dropped.not_finite;
+    else if (spec.x_log && point.x <= 0.0)
+      ++dropped.not_positive_x;
+    else if (spec.y_log && point.y <= 0.0)
+      ++dropped.not_positive_y;
+    else
+      guides.see(*row, curves.add(*row, point), point.x);
+  }
+  figure.curves = curves.take();
+  figure.note = note_of(dropped, x, y);
+  append(figure.note, curves.note());
+  if (spec.fit) append(figure.note, fit_all(figure.curves, *spec.fit));
+  set_ranges(figure, spec);
+  figure.guides = guides.take(figure);
+  if (spec.mean_over.empty() && !error) take_turns(figure);  // bars cannot stand in for each other
+  return figure;
+}
+
+}  // namespace sigmasweep::plot

@@ -1,0 +1,153 @@
+#include "plot/labels.hpp"
+
+#include <fmt/format.h>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+namespace sigmasweep::plot {
+namespace {
+
+struct Symbol {
+  std::string_view name, symbol, axis;  ///< axis: empty where the symbol says it all
+};
+
+constexpr auto symbols = std::to_array<Symbol>({
+    {"v0", "{/:Italic v}_0", ""},
+    {"tc", "{/:Italic t}_c", ""},
+    {"s0", "{/:Italic s}_0", ""},
+    {"sigma", "{/:Italic σ}", "{/:Italic σ} = {/:Italic s}_0 / ({/:Italic v}_0 {/:Italic t}_c)"},
+    {"epsilon", "{/:Italic ε}", ""},
+    {"d", "{/:Italic d}", ""},
+    {"D_t", "{/:Italic D}_t", ""},
+    {"D_n", "{/:Italic D}_n", ""},
+    {"N", "{/:Italic N}", ""},
+    {"steps_per_tc", "{/:Italic t}_c/Δ{/:Italic t}", ""},
+    {"eps_eff", "{/:Italic ε}_{eff}", "effective restitution {/:Italic ε}_{eff}"},
+    {"eps_eff_error", "δ{/:Italic ε}_{eff}", "estimated error of {/:Italic ε}_{eff}"},
+    {"Er_Ef", "{/:Italic E}_r/{/:Italic E}_f", ""},
+    {"Er_E0", "{/:Italic E}_r/{/:Italic E}_0", ""},
+    {"v_cm", "{/:Italic v}_{cm}/{/:Italic v}_0", ""},
+    {"t_k", "{/:Italic t}_k", "contact time of the column {/:Italic t}_k"},
+    {"frequency", "{/:Italic f}", ""},
+    {"alpha", "{/:Italic α}", "{/:Italic α} = {/:Italic A}_0 {/:Italic ω}^2/{/:Italic g}"},
+    {"A0", "{/:Italic A}_0", ""},
+    {"gravity", "{/:Italic g}", ""},
+    {"h_cm", "⟨{/:Italic h}_{cm}⟩", "mean height of the centre of mass ⟨{/:Italic h}_{cm}⟩"},
+    {"h_cm_error", "δ{/:Italic h}_{cm}", "standard error of ⟨{/:Italic h}_{cm}⟩"},
+    {"h_cm_excess", "Δ{/:Italic h}_{cm}",
+     "rise of the centre of mass ⟨{/:Italic h}_{cm}⟩ − {/:Italic h}_{cm0}"},
+    {"separation", "⟨{/:Italic s}⟩", "mean separation of neighbours ⟨{/:Italic s}⟩"},
+    {"separation_max", "{/:Italic s}_{max}", "largest separation of neighbours {/:Italic s}_{max}"},
+    {"E_r", "⟨{/:Italic E}_r⟩", "energy of the relative motion ⟨{/:Italic E}_r⟩"},
+    {"x_max", "{/:Italic x}_{max}", "largest overlap {/:Italic x}_{max}"},
+});
+
+std::string spaced(std::string_view name) {
+  std::string words(name);
+  for (char& c : words)
+    if (c == '_') c = ' ';
+  return words;
+}
+
+bool is_number(FieldType type) {
+  return type == FieldType::real || type == FieldType::integer || type == FieldType::unsigned_integer ||
+         type == FieldType::integer32;
+}
+
+std::string scientific(double value) {
+  std::string text = fmt::format("{:.5e}", value);
+  const auto e = text.find('e');
+  auto last = text.find_last_not_of('0', e - 1);
+  if (text[last] == '.') --last;
+  return text.erase(last + 1, e - last - 1);
+}
+
+}  // namespace
+
+std::string symbol_of(const Field& field) {
+  for (const auto& s : symbols)
+    if (s.name == field.name) return std::string(s.symbol);
+  return escape_markup(spaced(field.name));
+}
+
+std::string escape_markup(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string_view("\\^_@&~{}").find(c) != std::string_view::npos) out += '\\';
+    out += std::iscntrl(static_cast<unsigned char>(c)) ? ' ' : c;
+  }
+  return out;
+}
+
+std::string pretty(double value) {
+  const bool tiny = value != 0.0 && std::abs(value) < 1e-3;  // where {:g} would still write zeros
+  const std::string plain = tiny ? scientific(value) : fmt::format("{:.6g}", value);
+  const auto e = plain.find('e');
+  if (e == std::string::npos) return plain;
+  const std::string power = fmt::format("10^{{{}}}", std::stoi(plain.substr(e + 1)));
+  const std::string mantissa = plain.substr(0, e);
+  if (mantissa == "1") return power;
+  return mantissa + "×" + power;
+}
+
+std::string axis_label(const Field& field) {
+  std::string label = symbol_of(field);
+  for (const auto& s : symbols)
+    if (s.name == field.name && !s.axis.empty()) label = s.axis;
+  if (field.unit != "1" && !field.unit.empty()) label += fmt::format(" ({})", escape_markup(field.unit));
+  return label;
+}
+
+std::string expression_label(std::string_view expression) {
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  const auto is_part = [&](char c) { return is_letter(c) || c == '.'; };
+  std::string out;
+  char before = 0;  // the last character that is no space
+  for (std::size_t i = 0; i < expression.size();) {
+    const char c = expression[i];
+    const bool raised = before == '^';
+    if (std::isspace(static_cast<unsigned char>(c))) {
+      ++i;
+      continue;
+    }
+    if (is_part(c)) {
+      std::size_t end = i;
+      while (end < expression.size() && is_part(expression[end])) ++end;
+      const std::string word(expression.substr(i, end - i));
+      const Field* field = find_field(word);
+      const std::string shown = field ? symbol_of(*field) : escape_markup(word);
+      out += raised ? "{" + shown + "}" : shown;
+      i = end - 1;
+    } else if (c == '+' || c == '-') {
+      const bool binary = is_part(before) || before == ')';
+      const std::string sign = c == '-' ? "−" : "+";
+      out += binary ? " " + sign + " " : raised ? "{" + sign + "}" : sign;
+    } else if (c == '*') {
+      out += "\u2009";  // a thin space
+    } else {
+      out += c == '^' ? "^" : escape_markup(std::string(1, c));
+    }
+    before = expression[i++];
+  }
+  return out;
+}
+
+std::string value_label(const Field& field, const Row& row) {
+  if (field.type == FieldType::method) return row.parameters.method == Method::ed ? "ED" : "MD";
+  if (!is_number(field.type)) return escape_markup(field.name) + " " + escape_markup(text(field, row));
+  std::string label = symbol_of(field) + " = " + pretty(number(field, row));
+  if (field.unit != "1" && !field.unit.empty()) label += " " + escape_markup(field.unit);
+  return label;
+}
+
+std::string panel_title(std::size_t number, const Row& row, std::span<const std::string> differ) {
+  std::string words;
+  for (const std::string& name : differ)
+    if (const Field* field = find_field(name))
+      words += (words.empty() ? "" : ", ") + value_label(*field, row);
+  return fmt::format("({}) {}", static_cast<char>('a' + number), words);
+}
+
+}  // namespace sigmasweep::plot

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solve/to_si.hpp"
+#include "solve/fixed_step/collision.hpp"
+#include "assembly/lattice.hpp"
+#include "solve/twin_runs.hpp"
+
+namespace sigmasweep {
+namespace {
+
+template <class Real>
+double eps_eff(const Lattice<Real>& lattice, const LatticeOutcome<Real>& outcome) {
+  return double(energies(lattice, outcome.velocity).eps_eff);
+}
+
+template <class Real>
+Collision result(const Parameters& p, const Lattice<Real>& lattice, const LatticeOutcome<Real>& outcome) {
+  return in_si_with(energies(lattice, outcome.velocity), outcome, p);
+}
+
+/// The change of eps_eff that the runs' velocities would make if its parts had random signs. Runs of a collision that is
+/// chaotic may well have the same eps_eff by chance, but not the same velocities; without losses it is no chance.
+template <class Real>
+double apart(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, const LatticeOutcome<Real>& other) {
+  if (lattice.beads.C == 0 && lattice.beads.C_wall == 0 && lattice.D_t == 0) return 0.0;
+  double squares = 0.0, energy = 0.0, mass = 0.0;
+  for (std::size_t i = 0; i < lattice.count(); ++i) {
+    const auto m = static_cast<double>(lattice.mass(i));
+    const Vec2<Real> v = one.velocity[i], change = other.velocity[i] - v;
+    squares += std::pow(m * double(v.x * change.x), 2) + std::pow(m * double(v.z * change.z), 2);
+    energy += m * double(dot(v, v));
+    mass += m;
+  }
+  return energy > 0.0 ? std::sqrt(squares / (energy * mass)) / double(lattice.beads.speed) : 0.0;
+}
+
+/// What eps_eff may be off by as nobody knows when it is over: late contacts of slow beads come at times that are chaotic
+/// before eps_eff is. The runs' longest waits say by how much these are unknown, and which of them may be on the other side
+/// of quiet_time().
+template <class Real>
+double undecided(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, const LatticeOutcome<Real>& other) {
+  const auto &waits = one.waits.longest, &others = other.waits.longest;
+  double unknown = 0.0, change = 0.0;
+  for (std::size_t k = 0; k < waits.size(); ++k)
+    unknown = std::max(unknown, std::fabs(double(waits[k].length - others[k].length)));
+  for (const auto& wait : waits)
+    if (wait.length > 0 && std::fabs(double(wait.length - lattice.quiet_time())) <= doubt * unknown)
+      change = std::max(change, double(wait.change));
+  return change;
+}
+
+/// The collision with local errors of `accuracy`, its error from a second run with ten times as much.
+template <class Real>
+Collision pair_of_runs(const Parameters& p, const LatticeOptions& options) {
+  const Lattice<Real> lattice = reduced_lattice<Real>(p);
+  LatticeOptions coarse = options;
+  coarse.accuracy *= 10.0;
+  const LatticeOutcome<Real> outcome = lattice_collision(lattice, options);
+  Collision c = result(p, lattice, outcome);
+  if (c.status != Status::ok) return c;
+  const LatticeOutcome<Real> other = lattice_collision(lattice, coarse);
+  const double difference =
+      other.status != Status::ok ? 1.0
+                                 : std::max(std::fabs(eps_eff(lattice, other) - eps_eff(lattice, outcome)),
+                                            apart(lattice, outcome, other) / doubt);
+  // Both runs have the same positions after long flights, and what these cannot resolve does not differ.
+  const double from_nothing = std::max(c.eps_eff - 1.0, 0.0);
+  c.eps_eff_error = twin_error(c, difference, options.accuracy, double(outcome.remainder)) +
+                    undecided(lattice, outcome, other) + double(lattice.rounding()) + from_nothing;
+  return c;
+}
+
+/// Larger local errors hardly save time, and in rows of beads side by side are motions that do not settle.
+constexpr double coarsest = 1e-8;
+
+Collision exact(const Parameters& p, Patience* patience) {
+  return to_tolerance(p.tolerance, [&]<class Real>(double accuracy) {
+    return pair_of_runs<Real>(
+        p, {.accuracy = std::min(accuracy, coarsest), .settle = 1e-3 * p.tolerance, .patience = patience});
+  });
+}
+
+}  // namespace
+
+Collision simulate_lattice(const Parameters& p, Patience* patience) {
+  return p.integrator == Integrator::exact ? exact(p, patience) : simulate_fixed_step(p, patience);
+}
+
+}  // namespace sigmasweep

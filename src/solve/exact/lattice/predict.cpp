@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/first_root.hpp"
+#include "solve/exact/lattice/events.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// Beads that meet more slowly than `slowest_` do not touch before they overlap by so many closing overlaps: rounding
+/// moves beads that lie side by side that fast, and a row of them without gaps would be at it for ever. It is next to no
+/// energy: of the order of the accuracy. On a plate, where beads press against each other that slowly, it is less.
+template <class Ground>
+constexpr double shallow = Ground::moves ? 1e3 : 1e6;
+
+}  // namespace
+
+template <class Real, class Ground>
+BeadState<Real> LatticeEvents<Real, Ground>::at(std::size_t i, const Real& t) const {
+  const Bead& bead = beads_[i];
+  if (bead.cluster >= 0) return clusters_[std::size_t(bead.cluster)].cluster->at(bead.place, t);
+  const Real elapsed = t - bead.since;
+  BeadState<Real> state{bead.q + elapsed * bead.v, bead.v, {}};
+  if constexpr (Ground::moves) {
+    const auto fall = ground_.flight({-bead.q.z, -bead.v.z}, bead.since, elapsed);  // x grows downwards
+    state.q.z = -fall.x;
+    state.v.z = -fall.u;
+    state.a.z = -ground_.load(double(t));
+  }
+  return state;
+}
+
+/// How far ahead the bead's motion is known.
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::until(std::size_t i) const {
+  const Bead& bead = beads_[i];
+  return bead.cluster < 0 ? never : clusters_[std::size_t(bead.cluster)].cluster->end();
+}
+
+/// The kinetic energy.
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::kinetic(const Real& t) const {
+  Real sum = 0;
+  for (std::size_t i = 0; i < beads_.size(); ++i) {
+    const Vec2<Real> v = at(i, t).v;
+    sum += lattice_.mass(i) * dot(v, v) / 2;
+  }
+  return sum;
+}
+
+/// The gap between a bead and its neighbour, its rate and second derivative.
+template <class Real, class Ground>
+Motion<Real> LatticeEvents<Real, Ground>::gap(std::size_t i, const Neighbour<Real>& other, const Real& t) const {
+  BeadState<Real> s = at(i, t);
+  if (!other.is_wall()) {
+    const BeadState<Real> o = at(other.bead, t);
+    s = {s.q - o.q, s.v - o.v, s.a - o.a};
+  }
+  return other.bond.gap_of(s);
+}
+
+template <class Real, class Ground>
+bool LatticeEvents<Real, Ground>::is_valid(const Event& e) const {
+  if (e.kind == Kind::step) return clusters_[e.other].in_use && clusters_[e.other].version == e.version;
+  if (beads_[e.bead].version != e.version) return false;
+  return e.kind == Kind::list || e.other >= beads_.size() || beads_[e.other].version == e.other_version;
+}
+
+/// The time of the event at the queue's top.
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::next_event() {
+  while (!queue_.empty() && !is_valid(queue_.top())) queue_.pop();
+  return queue_.empty() ? never : queue_.top().time;
+}
+
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::push(const Real& t, Kind kind, std::uint32_t bead, const Neighbour<Real>& other) {
+  if (!(t < never)) return;
+  const std::uint32_t other_version = other.bead < beads_.size() ? beads_[other.bead].version : 0;
+  queue_.push({t, kind, bead, other.bead, other.image, beads_[bead].version, other_version});
+  // What is void lies in the queue until its time comes: not too much of it.
+  constexpr std::size_t most = 64;
+  if (queue_.size() > most * beads_.size() + 1000) queue_.keep_if([this](const Event& e) { return is_valid(e); });
+}
+
+/// Two beads in uniform relative motion, or one and a wall: |r + w t| = d_ij, as c + 2 b t + w.w t^2 = 0 with
+/// c = |r|^2 - d_ij^2 = gap (|r| + d_ij).
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::meeting_in_flight(std::size_t i, const Neighbour<Real>& other, const Real& t) const {
+  using std::sqrt;
+  const BeadState<Real> me = at(i, t);
+  if (other.is_wall()) {
+    const Real gap = other.bond.gap(me.q), rate = dot(other.bond.R, me.v);
+    if constexpr (Ground::moves)
+      if (other.bead == Neighbour<Real>::bottom)
+        return t + ground_.landing({-(gap + closing_overlap_), -rate}, double(t));
+    const Real overlap = rate < -slowest_ ? closing_overlap_ : Real(shallow<Ground>) * closing_overlap_;
+    return rate < 0 ? t + std::max(Real(gap + overlap), Real(0)) / -rate : never;
+  }
+  const BeadState<Real> you = at(other.bead, t);
+  const Vec2<Real> q = me.q - you.q, r = other.bond.R + q, w = me.v - you.v;
+  const Real b = dot(r, w);
+  if (!(b < 0)) return never;
+  const Real distance = sqrt(dot(r, r)), open = other.bond.gap(q);
+  const auto meeting = [&](const Real& overlap, const Real& slowest) {
+    const Real gap = std::max(Real(open + overlap), Real(0));
+    const Real c = gap * (2 * distance - gap), discriminant = b * b - dot(w, w) * c;
+    // At the meeting the square root is d_ij times the rate.
+    return discriminant > slowest * slowest * distance * distance ? t + c / (sqrt(discriminant) - b) : never;
+  };
+  const Real soon = meeting(closing_overlap_, slowest_);
+  return soon < never ? soon : meeting(Real(shallow<Ground>) * closing_overlap_, Real(0));
+}
+
+/// The same where a cluster moves one of them, from t to a time until which both motions are known.
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::meeting_of_motions(std::size_t i, const Neighbour<Real>& other, const Real& t,
+                                                     const Real& end) const {
+  Motion<Real> from = gap(i, other, t), to = gap(i, other, end);
+  // Below 0 by rounding: it counts where it goes from there.
+  const Real shift = std::max(closing_overlap_, Real(-from.x)), span = end - t;
+  from.x += shift;
+  to.x += shift;
+  if (Quintic<Real>::stays_positive(from, to, span)) return never;
+  const Quintic<Real> gap(from, to, span);
+  const auto when = FirstRoot<Real, 5>::find(gap.c, Real(1));
+  if (!when || (gap.at(*when, span).u > -slowest_ && to.x - shift > -Real(shallow<Ground>) * closing_overlap_)) return never;
+  return t + *when * span;
+}
+
+/// The end of a contact, likewise.
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::opening(std::size_t i, const Neighbour<Real>& other, const Real& t,
+                                          const Real& end) const {
+  const Motion<Real> first = gap(i, other, t), last = gap(i, other, end);
+  const Real shift = std::max(first.x, Real(0)), span = end - t;
+  const Motion<Real> from{shift - first.x, -first.u, -first.a}, to{shift - last.x, -last.u, -last.a};
+  if (Quintic<Real>::stays_positive(from, to, span)) return never;
+  const auto when = FirstRoot<Real, 5>::find(Quintic<Real>(from, to, span).c, Real(1));
+  return when ? t + *when * span : never;
+}
+
+/// Whether they cannot meet before `end`, three times as fast as they ever are at the ends of their steps.
+template <class Real, class Ground>
+bool LatticeEvents<Real, Ground>::is_far(std::size_t i, const Neighbour<Real>& other, const Real& t,
+                                         const Real& end) const {
+  using std::fabs;
+  const auto speed = [](const Vec2<Real>& v) { return fabs(v.x) + fabs(v.z); };
+  const BeadState<Real> now = at(i, t), then = at(i, end);
+  Vec2<Real> q = now.q;
+  Real fastest = std::max(speed(now.v), speed(then.v));
+  if (!other.is_wall()) {
+    const BeadState<Real> partner = at(other.bead, t), finally = at(other.bead, end);
+    q -= partner.q;
+    fastest += std::max(speed(partner.v), speed(finally.v));
+  }
+  return other.bond.gap(q) > 3 * fastest * (end - t);
+}
+
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::foresee(std::size_t i, const Neighbour<Real>& other, const Real& t) {
+  const auto me = static_cast<std::uint32_t>(i);
+  const bool alone = beads_[i].cluster < 0 && (other.is_wall() || beads_[other.bead].cluster < 0);
+  if (alone) return push(meeting_in_flight(i, other, t), Kind::gap, me, other);
+  const Real end = std::min(until(i), other.is_wall() ? never : until(other.bead));
+  if (!(end > t)) return;
+  const bool touching = touches(i, other);
+  if (!touching && is_far(i, other, t, end)) return;
+  push(touching ? opening(i, other, t, end) : meeting_of_motions(i, other, t, end), Kind::gap, me, other);
+}
+
+/// All that may happen to bead i; what it may have with marked ones of smaller numbers is foreseen from there.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::foresee(std::size_t i, const Real& t) {
+  for (const Neighbour<Real>& other : neighbours_.of(i)) {
+    const bool from_there = !other.is_wall() && other.bead < i && mark_[other.bead] == marks_;
+    if (!from_there) foresee(i, other, t);
+  }
+}
+
+/// When a free bead has gone its list's leeway; over a plate, not later than that.
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::leaves(std::size_t i, const Real& t) const {
+  using std::sqrt;
+  const BeadState<Real> now = at(i, t);
+  const Vec2<Real> gone = now.q - neighbours_.anchor(i);
+  const Real leeway = neighbours_.leeway();
+  if constexpr (Ground::moves) {  // |gone| + |v| t + load t^2/2 <= leeway
+    const Real left = std::max(Real(leeway - sqrt(dot(gone, gone))), Real(0)), speed = sqrt(dot(now.v, now.v));
+    const Real load = ground_.g + ground_.A0 * ground_.omega * ground_.omega;
+    return t + 2 * left / (speed + sqrt(speed * speed + 2 * load * left));
+  }
+  const Real a = dot(now.v, now.v), b = dot(gone, now.v), c = std::max(Real(leeway * leeway - dot(gone, gone)), Real(0));
+  return a == Real(0) ? never : t + (sqrt(b * b + a * c) - b) / a;
+}
+
+template class LatticeEvents<double>;
+template class LatticeEvents<long double>;
+template class LatticeEvents<double, Plate>;
+
+}  // namespace sigmasweep

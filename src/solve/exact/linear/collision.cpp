@@ -1,0 +1,146 @@
+#include "solve/exact/linear/collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "solve/exact/linear/column.hpp"
+#include "solve/to_si.hpp"
+#include "base/quad.hpp"
+
+namespace sigmasweep {
+
+template <class Real>
+Outcome<Real> exact_collision(const Column<Real>& column, const ExactOptions& options) {
+  if (!column.exponents.linear()) throw std::invalid_argument("exact_collision: not the linear law");
+  if (column.is_uniform()) return ExactColumn<Real, 0, false>(column, options).run();
+  return ExactColumn<Real, 0, true>(column, options).run();
+}
+
+template <class Real>
+Outcome<Real> exact_collision_from(const Column<Real>& column, std::span<const Real> rates,
+                                   const ExactOptions& options) {
+  if (!column.exponents.linear()) throw std::invalid_argument("exact_collision_from: not the linear law");
+  if (rates.size() != column.contacts()) throw std::invalid_argument("exact_collision_from: one rate a contact");
+  const auto run = [&](auto exact) {
+    exact.start_from(rates);
+    return exact.run();
+  };
+  return column.is_uniform() ? run(ExactColumn<Real, 0, false>(column, options))
+                             : run(ExactColumn<Real, 0, true>(column, options));
+}
+
+template Outcome<double> exact_collision(const Column<double>&, const ExactOptions&);
+template Outcome<long double> exact_collision(const Column<long double>&, const ExactOptions&);
+template Outcome<Quad> exact_collision(const Column<Quad>&, const ExactOptions&);
+template Outcome<double> exact_collision_from(const Column<double>&, std::span<const double>, const ExactOptions&);
+template Outcome<long double> exact_collision_from(const Column<long double>&, std::span<const long double>,
+                                                   const ExactOptions&);
+
+namespace {
+
+/// One disturbance is one random draw of what the true error is another draw of: the factor makes it an error bar that
+/// holds for 99.9 % of random tuples, at a median of about 30 times the true error.
+constexpr double safety = 16.0;
+/// Roundings of eps_eff that the disturbances do not know of: from velocities to energies, and the drift of the energy,
+/// in roundings a step, as a step's rounded coefficients are the same in many steps.
+constexpr double last_roundings = 8.0, drift = 0.1;
+/// Where masses differ, a contact's impulse is shared out in rounded parts.
+constexpr double shares = 3.0;
+/// From this tolerance on short series are tried first: two thirds of the time, and bars of about 1e-5.
+constexpr double loose = 1e-4;
+/// Work (ExactColumn::work) up to which a wide type is tried: about a second in each.
+constexpr std::uint64_t long_double_limit = 1'000'000, quad_limit = 50'000;
+
+/// What a run has to say on whether a wider type is worth a try.
+struct Effort {
+  std::uint64_t work = 0;
+  double disturbance = 0.0;  ///< of eps_eff, at the end
+};
+
+/// The collision computed in `Real`, its error bar included.
+template <class Real, bool Uneven, int Order>
+Collision computed_from(const Column<Real>& column, const Parameters& p, const ExactOptions& options, Effort& effort) {
+  using Exact = ExactColumn<Real, 1, Uneven, Order>;
+  Exact exact(column, options);
+  const Outcome<Real> outcome = exact.run();
+  effort = {exact.work(), static_cast<double>(exact.disturbance())};
+  Collision c = in_si<Real>(outcome, p, column.mass);
+  if (c.status != Status::ok) return c;
+  double roundings = last_roundings + drift * double(exact.work()) / double(p.N);
+  if constexpr (Uneven) roundings += shares * double(outcome.contacts) / double(p.N);
+  // K_over_m and D_n near critical damping: restitution may be small, and has the roundings of numbers of order one.
+  const Real size = p.K_over_m > 0.0 ? Real(1) : Real(c.eps_eff);
+  const Real error = exact.error(safety) + Real(roundings) * Exact::local_error() * size;
+  c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;
+  return c;
+}
+
+template <class Real, int Order = TaylorOrder<Real>::value>
+Collision computed_in(const Parameters& p, const ExactOptions& options, Effort& effort) {
+  const Column<Real> column = reduced_column<Real>(p);
+  if (column.is_uniform()) return computed_from<Real, false, Order>(column, p, options, effort);
+  return computed_from<Real, true, Order>(column, p, options, effort);
+}
+
+/// How many times finer than double's a type's roundings are.
+template <class Wide>
+double gain() {
+  return std::numeric_limits<double>::epsilon() / static_cast<double>(std::numeric_limits<Wide>::epsilon());
+}
+
+/// The error bar from two twins of the column, whose dashpots, gaps and masses differ from its own in the thirteenth
+/// digit, or the fourteenth for tolerances that need it. In a long tail of contacts that carry next to no energy a
+/// linearised disturbance grows without end, and says nothing; the twins go their own way there, too, but end where the
+/// energy lets them.
+double spread(const Parameters& p, const ExactOptions& options, double eps_eff) {
+  double largest = 0.0;
+  const double little = std::clamp(0.1 * p.tolerance, 1e-14, 1e-13);
+  for (const double change : {-little, little}) {
+    Column<double> twin = reduced_column<double>(p);
+    twin.gap *= 1.0 - change;
+    twin.C *= 1.0 + change;
+    twin.C_wall *= 1.0 + change;
+    for (double& gap : twin.gaps) gap *= 1.0 - change;
+    for (std::size_t i = 0; i < twin.mass.size(); ++i) twin.mass[i] *= 1.0 + (i % 2 == 0 ? change : -change);
+    const Outcome<double> outcome = exact_collision(twin, options);
+    if (outcome.status != Status::ok) return 1.0;
+    largest = std::max(largest, std::abs(energies<double>(outcome.velocity, 1.0, twin.mass).eps_eff - eps_eff));
+  }
+  return safety * largest + options.settle;
+}
+
+}  // namespace
+
+Collision simulate_exact(const Parameters& p, Patience* patience) {
+  ExactOptions options;
+  options.patience = patience;
+  options.settle = 1e-3 * p.tolerance;
+  Effort effort;
+  if (p.tolerance >= loose) {
+    const Collision quick = computed_in<double, low_order>(p, options, effort);
+    if (quick.status == Status::ok && quick.eps_eff_error <= p.tolerance) return quick;
+  }
+  Collision c = computed_in<double>(p, options, effort);
+  if (c.status != Status::ok || c.eps_eff_error <= p.tolerance) return c;
+
+  const double wanted = safety * effort.disturbance / p.tolerance;
+  c.eps_eff_error = std::min(c.eps_eff_error, spread(p, options, c.eps_eff));
+  if (c.eps_eff_error <= p.tolerance) return c;
+
+  const auto keep_better = [&](const Collision& wide) {
+    if (wide.status == Status::ok && wide.eps_eff_error < c.eps_eff_error) c = wide;
+    return c.eps_eff_error <= p.tolerance;
+  };
+  if (wanted < gain<long double>() && effort.work <= long_double_limit &&
+      keep_better(computed_in<long double>(p, options, effort)))
+    return c;
+  if (wanted < gain<Quad>() && effort.work <= quad_limit && keep_better(computed_in<Quad>(p, options, effort)))
+    return c;
+  c.eps_eff_error = std::min(1.0, c.eps_eff_error);
+  c.status = Status::tolerance_missed;
+  return c;
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "sigmasweep/model/result.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "assembly/column.hpp"
+#include "sigmasweep/base/budget.hpp"
+
+/// The default integrator of the linear law: between two contact events the column is a linear system with constant
+/// coefficients, so it is propagated to rounding error, and the events are found on the solution's own polynomial.
+namespace sigmasweep {
+
+struct ExactOptions {
+  double settle = 1e-13;          ///< stop once later collisions can change eps_eff by less than this; 0: never
+  std::uint64_t event_limit = 0;  ///< contacts before giving up (and 8 times as many steps); 0: 100,000 + 20 N^2
+  std::uint64_t work_limit = 100'000'000;  ///< contacts propagated, summed over the steps, before giving up: minutes
+  Patience* patience = nullptr;   ///< asked now and then; Status::time_limit where it is over
+};
+
+/// One collision. Real is double, long double or Quad; the result is good to a few roundings of Real times the
+/// condition of the problem. End::settled or separated with Status::ok, or Status::event_limit, non_finite.
+template <class Real>
+Outcome<Real> exact_collision(const Column<Real>& column, const ExactOptions& options = {});
+
+/// The same from any start with all contacts open: gaps as in `column`, that to the wall included, and the speeds at
+/// which they close (< 0: open), contact by contact; column.speed is only the unit. Time 0 is the start.
+template <class Real>
+Outcome<Real> exact_collision_from(const Column<Real>& column, std::span<const Real> rates,
+                                   const ExactOptions& options = {});
+
+/// The tuple's collision with an error bar, by the cheapest way that keeps the tolerance. A linearised disturbance, fed
+/// with the rounding errors of every step, runs beside the column; its size at the end, and what is left to dissipate,
+/// make eps_eff_error. For tolerances of 1e-4 and above short series are tried first. Where the bar of the full ones is
+/// above the tolerance, two twins of the column that differ in the thirteenth digit have the second say, and then the
+/// wider types, if about a second is enough for them. Status tolerance_missed with the smallest error found where none
+/// meets the tolerance. contacts, t_k and x_max are those up to the stop at `settle` = tolerance/1000.
+Collision simulate_exact(const Parameters& parameters, Patience* patience = nullptr);
+
+}  // namespace sigmasweep

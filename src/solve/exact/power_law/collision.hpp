@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sigmasweep/model/result.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "assembly/column.hpp"
+#include "sigmasweep/base/budget.hpp"
+
+/// The default integrator of laws F = K x^(1+beta) + C x^gamma x' that are not linear: from contact event to contact
+/// event with the Runge-Kutta scheme DOP853 of order 8 (scene/dormand_prince.hpp). Where a contact has just closed, or
+/// is about to open, the force is not smooth in time but in s = x^(1/q), and s is the independent variable.
+namespace sigmasweep {
+
+struct NonlinearOptions {
+  double accuracy = 1e-12;        ///< local error of a step, in units of the speed and of speed times tc
+  double settle = 1e-13;          ///< stop once later collisions can change eps_eff by less than this; 0: never
+  std::uint64_t event_limit = 0;  ///< contacts before giving up; 0: 100,000 + 20 N^2
+  std::uint64_t work_limit = 50'000'000;  ///< contacts propagated, summed over all trial steps, before giving up
+  Patience* patience = nullptr;   ///< asked now and then; Status::time_limit where it is over
+};
+
+/// One collision of a column in reduced units (speed and tc are 1). Real is double or long double.
+/// End::settled or separated with Status::ok; Status::event_limit, non_finite.
+template <class Real>
+Outcome<Real> nonlinear_collision(const Column<Real>& column, const NonlinearOptions& options = {});
+
+/// The tuple's collision with an error bar: the difference between two runs, one with local errors ten times those of
+/// the other, and what is left to dissipate. Where that is above the tolerance finer pairs of runs follow, in long
+/// double in the end; status tolerance_missed with the smallest error found where none meets the tolerance.
+Collision simulate_nonlinear(const Parameters& parameters, Patience* patience = nullptr);
+
+}  // namespace sigmasweep

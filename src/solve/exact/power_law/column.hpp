@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "assembly/energy_balance.hpp"
+#include "solve/exact/event_loop_on_ground.hpp"
+#include "solve/exact/power_law/group.hpp"
+#include "solve/observer/samples.hpp"
+#include "assembly/column.hpp"
+#include "solve/exact/power_law/collision.hpp"
+
+namespace sigmasweep {
+
+/// Contacts lo..hi that a column moves together from `start`.
+template <class Real, class Ground>
+struct NonlinearGroup {
+  NonlinearGroup(const Column<Real>& column, const Real& accuracy, const Ground& ground)
+      : contacts(column, accuracy, ground) {}
+  std::size_t lo = 0, hi = 0;
+  Real start{};
+  PowerLawGroup<Real, Ground> contacts;
+};
+
+/// One collision under a law that is not linear, from contact event to contact event (contact_events.hpp), in reduced
+/// units. Ground: a fixed wall, or a plate that vibrates under gravity.
+template <class Real, class Ground = FixedWall>
+class NonlinearColumn
+    : private GroundEvents<NonlinearColumn<Real, Ground>, Real, NonlinearGroup<Real, Ground>, 1, Ground> {
+ public:
+  NonlinearColumn(const Column<Real>& column, const NonlinearOptions& options, const Ground& ground = {});
+  Outcome<Real> run();
+  /// The same, seen by a watcher (samples.hpp), and over with its last sample. Samples: double.
+  template <class Watcher>
+  Outcome<Real> run(Watcher& watcher);
+  /// On a plate, instead of run(): ground_events.hpp.
+  template <class Watcher>
+  Outcome<Real> follow(Watcher& watcher) requires(Ground::moves)
+  {
+    return Events::follow(watcher);
+  }
+
+ private:
+  static constexpr double longest_clock = 16.0;  ///< t_c
+  using Group = NonlinearGroup<Real, Ground>;
+  using Events = GroundEvents<NonlinearColumn, Real, Group, 1, Ground>;
+  friend Events;
+  friend ContactEvents<NonlinearColumn, Real, Group>;
+  using Events::N_, Events::x_, Events::u_, Events::at_, Events::closed_, Events::group_of_, Events::epoch_,
+      Events::events_, Events::contacts_, Events::wall_opened_, Events::x_max_, Events::ground_, Events::velocities;
+
+  std::unique_ptr<Group> new_group() { return std::make_unique<Group>(column_, Real(options_.accuracy), ground_); }
+  void start_group(Group& group) { group.contacts.start(group.lo, group.hi, closed_, x_, u_); }
+  void step_group(Group& group);
+  static const Real& length_of(const Group& group) { return group.contacts.length(); }
+  static std::optional<std::size_t> event_of(const Group& group) { return group.contacts.event(); }
+  Real closes_in(std::size_t k) const { return this->closes_at(k, closing_overlap_); }
+  void fly(std::size_t k, const Real& t);
+  PlateWork work_of(Group& group, const Real& elapsed) requires(Ground::moves);
+  Status why_stop() requires(Ground::moves);
+  void change_contact(std::size_t k, const Real& t);
+  void move_group(Group& group, const Real& elapsed, bool whole_step);
+  bool is_settled();
+  void state_at(const Real& t, std::span<Real> x, std::span<Real> u);
+
+  const Column<Real> column_;
+  NonlinearOptions options_;
+  Real closing_overlap_;
+  std::uint64_t steps_ = 0, next_check_ = 0, next_check_step_ = 0, work_ = 0;
+  bool lost_ = false;  ///< a step that no length makes good
+};
+
+}  // namespace sigmasweep

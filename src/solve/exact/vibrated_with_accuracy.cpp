@@ -1,0 +1,48 @@
+#include <cstdint>
+
+#include "solve/observer/lattice_statistics.hpp"
+#include "solve/exact/lattice/vibrated.hpp"
+#include "solve/exact/power_law/column.hpp"
+#include "sigmasweep/model/geometry.hpp"
+#include "solve/vibrated.hpp"
+#include "solve/vibrated_result.hpp"
+#include "solve/observer/vibration_statistics.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// Some minutes.
+constexpr std::uint64_t most_work = 1'000'000'000, most_contacts = 1'000'000'000;
+
+Collision lattice_by_steps(const Parameters& p, double accuracy, Patience* patience) {
+  const VibrationUnits units = vibration_units(p);
+  const Plate plate = Plate::of(p, units);
+  const auto lattice = reduced_lattice<double>(p);
+  LatticeStatistics statistics(p, lattice, plate, units);
+  const LatticeOptions options{.accuracy = accuracy * plate.A0 * plate.omega,
+                               .event_limit = most_contacts,
+                               .work_limit = most_work,
+                               .patience = patience};
+  return vibrated_result(follow_lattice(lattice, plate, options, statistics), statistics, units);
+}
+
+Collision column_by_steps(const Parameters& p, double accuracy, Patience* patience) {
+  const VibrationUnits units = vibration_units(p);
+  const Plate plate = Plate::of(p, units);
+  const auto column = reduced_column<double>(p);
+  VibrationStatistics statistics(p, column, plate, units);
+  const NonlinearOptions options{.accuracy = accuracy * plate.A0 * plate.omega,
+                                 .event_limit = most_contacts,
+                                 .work_limit = most_work,
+                                 .patience = patience};
+  const Outcome<double> outcome = NonlinearColumn<double, Plate>(column, options, plate).follow(statistics);
+  return vibrated_result(outcome, statistics, units);
+}
+
+}  // namespace
+
+Collision vibrated_by_steps(const Parameters& p, double accuracy, Patience* patience) {
+  return is_lattice(p) ? lattice_by_steps(p, accuracy, patience) : column_by_steps(p, accuracy, patience);
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solve/to_si.hpp"
+#include "sigmasweep/model/geometry.hpp"
+#include "solve/fixed_step/collision.hpp"
+#include "assembly/lattice.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+#include "solve/fixed_step/stability.hpp"
+
+namespace sigmasweep {
+
+namespace {
+
+constexpr double hopeless = 1e5;  // growth in one tc
+constexpr double dense = 0.1;     // sigma up to which the column is closed as a whole for a while
+constexpr double fewest_steps = 20.0, most_steps = 1e6;  // a tc
+constexpr double most_work = 1e9;                         // steps times contacts of a collision
+constexpr double margin = 1.2, least_factor = 1.5, most_factor = 16.0;
+
+/// The collision in steps of tc/steps_per_tc, without an error. At most `work`, beads times steps; 0: some minutes.
+Collision stepped(const Parameters& p, double work, Patience* patience) {
+  const double dt = 1.0 / p.steps_per_tc, settle = 1e-3 * p.tolerance;
+  if (is_lattice(p)) {
+    const auto lattice = reduced_lattice<double>(p);
+    const LatticeOptions options{.settle = settle, .work_limit = static_cast<std::uint64_t>(work), .patience = patience};
+    const auto outcome = fixed_step_lattice_collision(lattice, p.integrator, dt, options);
+    return in_si_with(energies(lattice, outcome.velocity), outcome, p);
+  }
+  const auto column = reduced_column<double>(p);
+  const FixedStepOptions options{
+      .settle = settle, .step_limit = work / static_cast<double>(p.N), .patience = patience};
+  return in_si<double>(fixed_step_collision(column, p.integrator, dt, options), p, column.mass);
+}
+
+/// With the distance to the exact result as the error.
+Collision compared(Collision c, const Collision& exact) {
+  if (!is_success(c.status)) return c;
+  // Both lie between 0 and 1 where nothing better is known.
+  const double worst = std::max(c.eps_eff, std::fabs(1.0 - c.eps_eff));
+  const double error = std::fabs(c.eps_eff - exact.eps_eff) + exact.eps_eff_error;
+  c.eps_eff_error = error <= worst ? error : worst;
+  return c;
+}
+
+Collision exact_of(Parameters p, Patience* patience) {
+  p.integrator = Integrator::exact;
+  return simulate(p, patience);
+}
+
+/// Beads that meet one by one are stable where the closed column is not, and of a lattice's motions some may never
+/// begin; what is sure is that one bead meets the wall.
+bool is_hopeless(const Parameters& p) {
+  Column<double> column = reduced_column<double>(p);
+  if (!column.is_uniform()) return false;
+  if (is_lattice(p) || p.sigma > dense) column.N = 1;
+  return growth_in_a_contact(closed_contacts(column), p.integrator, 1.0 / p.steps_per_tc) > hopeless;
+}
+
+Collision with_given_steps(const Parameters& p, Patience* patience) {
+  Collision c;
+  c.status = Status::unstable;
+  if (!is_hopeless(p)) c = stepped(p, 0.0, patience);
+  if (is_success(c.status)) c = compared(c, exact_of(p, patience));
+  c.predicted_growth = predicted_growth(p);
+  return c;
+}
+
+struct Choice {
+  Collision collision;
+  double steps_per_tc = fewest_steps;
+};
+
+Choice with_chosen_steps(Parameters p, Patience* patience) {
+  const double tolerance = p.tolerance;
+  p.tolerance = std::max(0.1 * tolerance, 1e-15);
+  const Collision exact = exact_of(p, patience);
+  p.tolerance = tolerance;
+  const ClosedContacts closed = closed_contacts(p);
+  p.steps_per_tc = fewest_steps;
+  while (p.steps_per_tc < most_steps && !is_stable(closed, p.integrator, 1.0 / p.steps_per_tc))
+    p.steps_per_tc *= 1.25;
+
+  const auto with_growth = [&](Choice choice) {
+    choice.collision.predicted_growth = predicted_growth(closed, p.integrator, 1.0 / choice.steps_per_tc);
+    return choice;
+  };
+  Choice best;
+  best.collision.status = Status::unstable;
+  for (double factor = 1.0; p.steps_per_tc <= most_steps; p.steps_per_tc *= factor) {
+    const Collision c = compared(stepped(p, most_work, patience), exact);
+    const bool is_better = is_success(c.status) && !(c.eps_eff_error >= best.collision.eps_eff_error);
+    if (is_better || !is_success(best.collision.status)) best = {c, p.steps_per_tc};
+    if (best.collision.eps_eff_error <= tolerance) return with_growth(best);
+    const bool goes_on = is_success(c.status) || c.status == Status::unstable;
+    if (!goes_on || !(exact.eps_eff_error < tolerance)) break;
+    factor = is_success(c.status) ? std::clamp(margin * c.eps_eff_error / tolerance, least_factor, most_factor)
+                                  : least_factor;
+  }
+  if (is_success(best.collision.status)) best.collision.status = Status::tolerance_missed;
+  return with_growth(best);
+}
+
+}  // namespace
+
+Collision simulate_fixed_step(const Parameters& parameters, Patience* patience) {
+  if (parameters.steps_per_tc > 0.0) return with_given_steps(parameters, patience);
+  return with_chosen_steps(parameters, patience).collision;
+}
+
+double steps_taken(const Parameters& parameters) {
+  return parameters.steps_per_tc > 0.0 ? parameters.steps_per_tc : with_chosen_steps(parameters, nullptr).steps_per_tc;
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,102 @@
+#include "solve/hard_spheres/collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "solve/hard_spheres/column.hpp"
+#include "solve/to_si.hpp"
+#include "numerics/noise.hpp"
+#include "solve/observer/samples.hpp"
+#include "sigmasweep/contact/calibration.hpp"
+
+namespace sigmasweep {
+
+Outcome<double> hard_sphere_collision(const Column<double>& column, const HardSphereOptions& options) {
+  Nobody nobody;
+  Outcome<double> outcome = HardSphereColumn(column, options).run(nobody);
+  for (double& v : outcome.velocity) v *= column.speed;
+  outcome.t_k *= length_of(column) / column.speed;
+  return outcome;
+}
+
+void watch_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples) {
+  HardSphereColumn(column, {.settle = 0.0, .rule = rule}).run(samples);  // to the last sample
+}
+
+namespace {
+
+/// Collisions up to which a column is tried in the wide type: about half a second.
+constexpr std::uint64_t quad_limit = 150'000;
+
+/// `column` with eps, and with it the wall's, and what is not the same for all beads changed in their last bits.
+template <class Real>
+Column<Real> twin_of(Column<Real> column) {
+  const Real bits = 16 * std::numeric_limits<Real>::epsilon();
+  const bool matched = column.eps_wall == column.eps;
+  column.eps *= 1 - bits;
+  column.eps_wall = matched ? column.eps : wall_restitution(column.eps);
+  Noise noise;
+  for (Real& gap : column.gaps) gap *= 1 + bits * noise.next();
+  for (Real& mass : column.mass) mass *= 1 + bits * noise.next();
+  return column;
+}
+
+struct Computed {
+  Collision collision;
+  double doubt;  ///< HardSphereColumn::doubt()
+};
+
+template <class Real>
+Computed computed_in(const Parameters& p, HardSphereOptions options) {
+  using std::abs;
+  const Column<Real> column = reduced_column<Real>(p);
+  const std::span<const Real> mass = column.mass;
+  Nobody nobody;
+  HardSphereColumn<Real> run(column, options);
+  Outcome<Real> outcome = run.run(nobody);
+  outcome.t_k *= length_of(column);
+  const bool given_up = outcome.status == Status::event_limit;
+  if (given_up) outcome.status = Status::tolerance_missed;  // what is left to dissipate says by how much
+  Collision c = in_si(outcome, p, mass);
+  const double collisions_per_bead = static_cast<double>(outcome.contacts) / static_cast<double>(p.N);
+  Real error = std::numeric_limits<Real>::epsilon() * spread(column.mass) * (4 + collisions_per_bead);
+  error += residual_dissipation<Real>(outcome.velocity, Real(1), mass);
+  if (!given_up) {
+    // Other collisions count as simultaneous, too, as in columns that come close to collapse, and escape.
+    const Column<Real> twin = twin_of(column);
+    options.same_time *= 64.0;
+    options.collapsed_speed *= 64.0;
+    const Outcome<Real> other = HardSphereColumn<Real>(twin, options).run(nobody);
+    error += abs(energies<Real>(outcome.velocity, Real(1), mass).eps_eff -
+                 energies<Real>(other.velocity, Real(1), twin.mass).eps_eff);
+  }
+  if (std::isfinite(c.eps_eff))
+    c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;
+  return {c, static_cast<double>(run.doubt())};
+}
+
+/// The better of two results. Where the clock was too coarse for both, they differ by what that may matter.
+Collision better_of(const Computed& fast, const Computed& wide, double tolerance) {
+  const Collision &f = fast.collision, &w = wide.collision;
+  const double fast_error = f.eps_eff_error + fast.doubt;
+  const double wide_error = w.eps_eff_error + std::min(wide.doubt, std::fabs(f.eps_eff - w.eps_eff));
+  return wide_error < fast_error ? with_error(w, wide_error, tolerance) : with_error(f, fast_error, tolerance);
+}
+
+}  // namespace
+
+Collision simulate_hard_spheres(const Parameters& p, Patience* patience) {
+  HardSphereOptions options{.settle = 1e-3 * p.tolerance, .rule = p.ed_rule, .patience = patience};
+  const Computed fast = computed_in<double>(p, options);
+  const Collision& c = fast.collision;
+  const double error = c.eps_eff_error + fast.doubt;
+  if (error <= p.tolerance || !(c.contacts <= quad_limit)) return with_error(c, error, p.tolerance);
+  options.collision_limit = quad_limit;
+  options.same_time = 1e-28;
+  options.collapsed_speed = 1e-30;
+  return better_of(fast, computed_in<Quad>(p, options), p.tolerance);
+}
+
+}  // namespace sigmasweep

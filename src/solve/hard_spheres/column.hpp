@@ -1,0 +1,320 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "solve/hard_spheres/cluster.hpp"
+#include "base/quad.hpp"
+#include "assembly/column.hpp"
+#include "solve/hard_spheres/collision.hpp"
+#include "numerics/tournament.hpp"
+
+namespace sigmasweep {
+
+/// A relative velocity that is this much smaller than the two it is the difference of is rounding: it is zero.
+template <class Real>
+inline const Real cancelled = Real(1e-14);
+template <>
+inline const Quad cancelled<Quad> = Quad(1e-30);
+
+/// The unit of length: the gap, if there is one.
+template <class Real>
+Real length_of(const Column<Real>& column) { return column.gap > 0 ? column.gap : Real(1); }
+
+/// How much faster than the heaviest bead the lightest one can be with the same energy.
+template <class Real>
+Real spread(const std::vector<Real>& mass) {
+  using std::sqrt;
+  if (mass.empty()) return Real(1);
+  const auto [lightest, heaviest] = std::minmax_element(mass.begin(), mass.end());
+  return sqrt(*heaviest / *lightest);
+}
+
+/// Contacts are numbered k = 0 (the wall) to N-1; units are the speed, length_of() and the mean bead's mass. The state
+/// is each contact's gap at its own time `since` and its closing speed u (> 0: approaching), so neither is a small
+/// difference of large numbers.
+template <class Real>
+class HardSphereColumn {
+ public:
+  HardSphereColumn(const Column<Real>& column, const HardSphereOptions& options)
+      : contacts_(static_cast<std::size_t>(column.N)), e_(column.eps), e_wall_(column.eps_wall), options_(options),
+        state_(contacts_), spread_(spread(column.mass)), due_(contacts_), impacts_(contacts_),
+        touching_gap_(options.same_time) {
+    const double N = static_cast<double>(column.N);
+    if (!column.mass.empty() || !column.gaps.empty()) options_.same_time *= 1e-3;  // no symmetry makes times the same
+    const Real length = length_of(column);
+    if (options_.collision_limit == 0)
+      options_.collision_limit = static_cast<std::uint64_t>(std::min(1e7 + 10.0 * N * N, 2e8));
+    if (options_.rule == EdRule::tc) memory_ = column.gap > 0 ? Real(column.tc * column.speed / length) : infinity;
+    for (std::size_t k = 0; k < contacts_; ++k) state_[k].gap = column.initial_gap(k) / length;
+    state_[0].above = 1;
+    if (!column.mass.empty()) take_masses(column.mass);
+    settled_below_ = 2 * spread_ * std::sqrt(N * options_.settle);
+    state_[0].u = 1;
+    schedule(0);
+  }
+
+  /// Seen by a watcher, Nobody or Samples, with whose last sample it may end.
+  template <class Watcher>
+  Outcome<Real> run(Watcher& watcher) {
+    show(watcher, 0.0);
+    while (outcome_.end == End::none) {
+      if (outcome_.contacts >= options_.collision_limit) {
+        outcome_.status = Status::event_limit;
+        break;
+      }
+      if (options_.patience && options_.patience->is_over(1)) {
+        outcome_.status = Status::time_limit;
+        break;
+      }
+      if (const std::size_t k = impacts_.first(); impacts_.time_of(k) < 0)
+        meet(k);
+      else
+        advance(watcher);
+      if constexpr (Watcher::watches)
+        if (watcher.done()) break;
+    }
+    outcome_.velocity = velocities();
+    outcome_.t_k = last_wall_ - std::max(first_wall_, Real(0));
+    return outcome_;
+  }
+
+  /// After run(): how far the clock was too coarse. In a series of ever faster collisions, which may or may not be
+  /// infinite, times cease to be told apart; where the beads go from there is uncertain by their speeds relative to
+  /// each other. The largest of these, with as much of it as rounding is of the time to the next collision.
+  Real doubt() const {
+    Real largest = 0;
+    for (const Contact& contact : state_) largest = std::max(largest, contact.doubt);
+    return largest;
+  }
+
+ private:
+  inline static const Real infinity = std::numeric_limits<Real>::infinity();
+  /// A pair that collides again within this fraction of the time so far collides in next to no time.
+  static constexpr double again = 1e-6;
+  /// Roundings of the clock, in such a series.
+  static constexpr double roundings = 64.0;
+
+  struct Contact {
+    Real gap = 0, u = 0, since = 0;
+    Real last = -infinity;  ///< time of the last collision
+    Real doubt = 0;
+    Real below = 0.5, above = 0.5;  ///< share of the lower and the upper bead in a change of u, by their masses
+  };
+
+  /// The present flights hold up to and at `time`.
+  template <class Watcher>
+  void show(Watcher& watcher, const Real& time) const {
+    if constexpr (Watcher::watches)
+      watcher.until(time, [this](const Real& t, auto x, auto u) {
+        for (std::size_t k = 0; k < contacts_; ++k) {
+          x[k] = -gap_at(k, t);
+          u[k] = state_[k].u;
+        }
+      });
+  }
+
+  void take_masses(const std::vector<Real>& mass) {
+    mass_.assign(1, infinity);  // the wall
+    mass_.insert(mass_.end(), mass.begin(), mass.end());
+    for (std::size_t k = 0; k < contacts_; ++k) {
+      state_[k].below = 1.0 / (1.0 + mass_[k] / mass_[k + 1]);
+      state_[k].above = 1.0 / (1.0 + mass_[k + 1] / mass_[k]);
+    }
+  }
+
+  std::vector<double> masses_from(std::size_t contact) const {
+    std::vector<double> mass;
+    for (std::size_t k = contact; k < mass_.size(); ++k) mass.push_back(static_cast<double>(mass_[k]));
+    return mass;
+  }
+  std::span<const Real> masses() const { return std::span(mass_).subspan(mass_.empty() ? 0 : 1); }
+
+  /// To the next time at which anybody collides, and all who do become touching.
+  template <class Watcher>
+  void advance(Watcher& watcher) {
+    std::size_t k = due_.first();
+    show(watcher, due_.time_of(k));
+    if (due_.time_of(k) == infinity) {
+      outcome_.end = End::separated;
+      return;
+    }
+    if (is_settled(k)) {
+      outcome_.end = End::settled;
+      return;
+    }
+    now_ = due_.time_of(k);
+    for (; same_as_now(due_.time_of(k)); k = due_.first()) touch(k);
+  }
+
+  bool same_as_now(const Real& time) const { return time - now_ <= options_.same_time * now_; }
+
+  /// Contact k, the next to collide, can change eps_eff by at least m_ij u^2/(4 M), m_ij = 2 m_i m_j/(m_i + m_j), M
+  /// the mass of the column, so there is no need to look before that is small; and then not at every collision. A
+  /// contact in a series of ever faster collisions is left to it.
+  bool is_settled(std::size_t k) {
+    const Contact& contact = state_[k];
+    if (contact.u > settled_below_ || outcome_.contacts < next_look_) return false;
+    if (is_again(contact, due_.time_of(k))) return false;
+    next_look_ = outcome_.contacts + contacts_;
+    return residual_dissipation<Real>(velocities(), Real(1), masses()) < options_.settle;
+  }
+
+  static bool is_again(const Contact& contact, const Real& time) { return time - contact.last <= again * time; }
+
+  void touch(std::size_t k) {
+    state_[k].gap = 0;
+    state_[k].since = now_;
+    due_.remove(k);
+    impacts_.set(k, -state_[k].u);  // LRV: the fastest is first
+  }
+
+  /// The touching contact that approaches fastest: a collision, or the last of infinitely many.
+  void meet(std::size_t k) {
+    const Contact& contact = state_[k];
+    const bool collapsed = contact.u < options_.collapsed_speed && is_again(contact, now_);
+    const bool foresees = options_.foresee_collapse && mass_.empty();
+    if (memory_ == 0 && (collapsed || (foresees && outcome_.contacts >= next_try_))) {
+      find_touching(k);
+      next_try_ = outcome_.contacts + 16 + touching_.size();
+      const Cluster cluster = cluster_around(k - lowest_, touching_, lowest_ == 0, masses_from(lowest_));
+      if (foresees && will_collapse(cluster, static_cast<double>(e_))) clear_doubts(cluster);
+      else if (!collapsed) return collide(k);
+      return collapse(cluster);
+    }
+    collide(k);
+  }
+
+  /// The TC model: one of the two beads has collided, with the other one or its other neighbour, less than tc ago.
+  /// Times that are the same count as such even where tc is too short for the clock; just tc is not less.
+  bool is_elastic(std::size_t k) const {
+    Real last = state_[k].last;
+    if (k > 0) last = std::max(last, state_[k - 1].last);
+    if (k + 1 < contacts_) last = std::max(last, state_[k + 1].last);
+    const Real resolution = options_.same_time * now_;
+    return now_ - last < std::max(Real(memory_ - resolution), resolution);
+  }
+
+  /// u -> -e u. The beads share the change (1 + e) u by their masses; at the wall the bead takes all of it.
+  void collide(std::size_t k) {
+    Contact& contact = state_[k];
+    const Real u = contact.u, e = memory_ > 0 && is_elastic(k) ? Real(1) : k == 0 ? e_wall_ : e_;
+    const Real change = (1 + e) * u;
+    contact.u = -e * u;
+    contact.last = now_;
+    impacts_.remove(k);
+    if (k > 0) push(k - 1, contact.below * change);
+    if (k + 1 < contacts_) push(k + 1, contact.above * change);
+    ++outcome_.contacts;
+    if (k > 0) return;
+    if (first_wall_ < 0) first_wall_ = now_;
+    last_wall_ = now_;
+  }
+
+  /// The neighbour of a collision closes faster by `change`.
+  void push(std::size_t k, const Real& change) {
+    using std::abs;
+    Contact& contact = state_[k];
+    contact.gap = gap_now(k);
+    contact.since = now_;
+    const Real u = contact.u + change;
+    contact.u = abs(u) <= cancelled<Real> * abs(change) ? Real(0) : u;
+    schedule(k);
+  }
+
+  Real gap_now(std::size_t k) const { return gap_at(k, now_); }
+  Real gap_at(std::size_t k, const Real& time) const {
+    const Contact& contact = state_[k];
+    return std::max(Real(contact.gap - contact.u * (time - contact.since)), Real(0));
+  }
+
+  void schedule(std::size_t k) {
+    Contact& contact = state_[k];
+    if (!(contact.u > 0)) {
+      due_.remove(k);
+      impacts_.remove(k);
+      return;
+    }
+    const Real wait = contact.gap / contact.u, due = contact.since + wait;
+    if (wait <= again * now_ && contact.gap > 0) doubt(contact, wait);
+    if (same_as_now(due)) {
+      touch(k);
+    } else {
+      impacts_.remove(k);
+      due_.set(k, due);
+    }
+  }
+
+  void doubt(Contact& contact, const Real& wait) {
+    const Real share = roundings * std::numeric_limits<Real>::epsilon() * now_ / wait;
+    contact.doubt = std::max(contact.doubt, Real(std::min(share, Real(1)) * contact.u));
+  }
+
+  void find_touching(std::size_t k) {
+    // A contact that recedes faster than all others together can close it stays open.
+    using std::abs;
+    const Real limit = spread_ * static_cast<double>(contacts_) * state_[k].u;
+    const auto touches = [&](std::size_t j) {
+      return gap_now(j) <= touching_gap_ && abs(state_[j].u) <= limit;
+    };
+    lowest_ = k;
+    while (lowest_ > 0 && touches(lowest_ - 1)) --lowest_;
+    touching_.clear();
+    for (std::size_t j = lowest_; j <= k || (j < contacts_ && touches(j)); ++j)
+      touching_.push_back(static_cast<double>(state_[j].u));
+  }
+
+  /// However the beads of a cluster that is certain to collapse got there, they stay together.
+  void clear_doubts(const Cluster& cluster) {
+    for (std::size_t j = 0; j + 1 < cluster.beads; ++j) state_[lowest_ + cluster.first + j].doubt = 0;
+  }
+
+  /// Infinitely many collisions, done at once.
+  void collapse(const Cluster& cluster) {
+    outcome_.status = Status::collapsed;
+    const std::size_t first = lowest_ + cluster.first, end = first + cluster.beads - 1;
+    for (std::size_t j = first; j < end; ++j) rest(j);
+    if (first > 0) push(first - 1, -cluster.bottom_change);
+    if (end < contacts_) push(end, cluster.top_change);
+    if (cluster.wall) last_wall_ = now_;
+    ++outcome_.contacts;
+  }
+
+  void rest(std::size_t k) {
+    state_[k].gap = state_[k].u = 0;
+    state_[k].since = state_[k].last = now_;
+    due_.remove(k);
+    impacts_.remove(k);
+  }
+
+  /// v_k = -(u_0 + ... + u_k)
+  std::vector<Real> velocities() const {
+    std::vector<Real> v(contacts_);
+    Real sum = 0;
+    for (std::size_t k = 0; k < contacts_; ++k) v[k] = -(sum += state_[k].u);
+    return v;
+  }
+
+  std::size_t contacts_;
+  Real e_, e_wall_;
+  HardSphereOptions options_;
+  Real memory_ = 0;  ///< the TC model's contact time; 0: collisions always lose
+  std::vector<Contact> state_;
+  std::vector<Real> mass_;  ///< below contact k, and the top one; the first is the wall. Empty where all are 1
+  Real spread_;
+  Tournament<Real> due_;      ///< approaching: when
+  Tournament<Real> impacts_;  ///< touching and approaching: minus how fast
+  Real now_ = 0, first_wall_ = -1, last_wall_ = 0;
+  Real settled_below_ = 0;
+  double touching_gap_;
+  std::uint64_t next_look_ = 0, next_try_ = 0;
+  std::vector<double> touching_;  ///< closing speeds of a run of touching contacts ...
+  std::size_t lowest_ = 0;        ///< ... the lowest of which is this one
+  Outcome<Real> outcome_;
+};
+
+}  // namespace sigmasweep

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "solve/observer/samples.hpp"
+#include "base/vec2.hpp"
+#include "assembly/lattice.hpp"
+
+namespace sigmasweep {
+
+/// The watcher that records a lattice: displacements from the sites and velocities of all beads at given times, in the
+/// solver's units, the clock starting with the fall (or with the plate's motion). Used as Samples (samples.hpp).
+class LatticeSamples {
+ public:
+  static constexpr bool watches = true;
+  using Vectors = std::span<Vec2<double>>;
+
+  LatticeSamples(std::vector<double> times, std::size_t beads)
+      : times_(std::move(times)), beads_(beads), q_(times_.size() * beads, nowhere), v_(q_) {}
+
+  /// Takes the samples up to and at `time` by `state(t, q, v)`.
+  template <class State>
+  void until(double time, State&& state) {
+    for (; !done() && times_[taken_] <= time; ++taken_) state(times_[taken_], q(taken_), v(taken_));
+  }
+  bool done() const { return taken_ == times_.size(); }
+
+  Vectors q(std::size_t sample) { return std::span(q_).subspan(sample * beads_, beads_); }
+  Vectors v(std::size_t sample) { return std::span(v_).subspan(sample * beads_, beads_); }
+
+ private:
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr Vec2<double> nowhere{nan, nan};
+  std::vector<double> times_;
+  std::size_t beads_, taken_ = 0;
+  std::vector<Vec2<double>> q_, v_;
+};
+
+/// The solvers' runs with a watcher, over with its last sample.
+void watch_lattice(const Lattice<double>& lattice, LatticeSamples& samples);
+/// Of geometry vibrated_lattice, by its integrator, in vibration_units(); relative to the plate.
+void watch_vibrated_lattice(const Parameters& parameters, LatticeSamples& samples);
+void watch_fixed_step_lattice(const Lattice<double>& lattice, Integrator integrator, double dt,
+                              LatticeSamples& samples);
+
+}  // namespace sigmasweep

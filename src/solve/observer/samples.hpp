@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sigmasweep/model/parameters.hpp"
+#include "assembly/column.hpp"
+
+namespace sigmasweep {
+
+/// The watcher of a run that nobody records: solvers leave out what they would show it.
+struct Nobody {
+  static constexpr bool watches = false;
+};
+
+/// The watcher that records a run: overlaps x and rates u = x' of all contacts at given times, in the solver's units.
+/// Solvers tell it, before anything changes, up to which time their present state holds.
+class Samples {
+ public:
+  static constexpr bool watches = true;
+
+  Samples(std::vector<double> times, std::size_t contacts)
+      : times_(std::move(times)), contacts_(contacts),
+        x_(times_.size() * contacts, std::numeric_limits<double>::quiet_NaN()), u_(x_) {}
+
+  /// Takes the samples up to and at `time` by `state(t, x, u)`, which fills in overlaps and rates at t.
+  template <class State>
+  void until(double time, State&& state) {
+    for (; !done() && times_[taken_] <= time; ++taken_)
+      state(times_[taken_], std::span(x_).subspan(taken_ * contacts_, contacts_),
+            std::span(u_).subspan(taken_ * contacts_, contacts_));
+  }
+  /// Whether all samples are taken: the solver may stop.
+  bool done() const { return taken_ == times_.size(); }
+
+  std::span<const double> x(std::size_t sample) const { return std::span(x_).subspan(sample * contacts_, contacts_); }
+  std::span<const double> u(std::size_t sample) const { return std::span(u_).subspan(sample * contacts_, contacts_); }
+
+ private:
+  std::vector<double> times_;
+  std::size_t contacts_, taken_ = 0;
+  std::vector<double> x_, u_;
+};
+
+/// The same of a vibrated column, whose solvers keep time within the plate's period and say when one is over.
+class VibratedSamples {
+ public:
+  static constexpr bool watches = true;
+
+  VibratedSamples(Samples& samples, double period) : samples_(samples), period_(period) {}
+
+  template <class State>
+  void until(double time, State&& state) {
+    const double begun = static_cast<double>(periods_) * period_;
+    samples_.until(begun + time, [&](double when, auto x, auto u) { state(std::min(when - begun, time), x, u); });
+  }
+  void end_period(double /*energy*/, double /*in*/, double /*lost*/) { ++periods_; }
+  bool done() const { return samples_.done(); }
+
+ private:
+  Samples& samples_;
+  double period_;
+  std::int64_t periods_ = 0;
+};
+
+/// The solvers' runs with a watcher. Times in the column's units; each says where its clock starts.
+/// At the first contact with the wall.
+void watch_exact(const Column<double>& column, Samples& samples);
+/// At the start. Step `dt`.
+void watch_fixed_step(const Column<double>& column, Integrator integrator, double dt, Samples& samples);
+/// At the start, in units of the gap over the speed; overlaps in gaps, rates in speeds. Where there is no gap, any
+/// length does as the unit.
+void watch_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples);
+/// At the first contact with the wall.
+void watch_nonlinear(const Column<double>& column, Samples& samples);
+/// At the start, in vibration_units(). Overlaps and rates are relative to the plate.
+void watch_vibrated_soft_spheres(const Parameters& parameters, VibratedSamples& samples);
+void watch_vibrated_hard_spheres(const Parameters& parameters, VibratedSamples& samples);
+
+}  // namespace sigmasweep

@@ -1,0 +1,128 @@
+#include "store/crash_notes.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "store/files.hpp"
+#include "sigmasweep/base/errors.hpp"
+
+namespace sigmasweep {
+namespace {
+
+// The file is an array of numbers: a header of one line, a line for each rank with its row + 1, or 0, first, and then
+// pairs of a row and its blame. A line is what processors share.
+constexpr std::size_t line = 8;
+constexpr std::uint64_t magic = 0x0a314e5552575353;  // "SSWRUN1\n" on a little-endian machine
+enum Header : std::size_t { is_magic, spec_hash, rows, run, ranks };
+constexpr std::uint64_t most_numbers = 1 << 24;
+
+std::string name_of(const std::string& table) { return table + ".running"; }
+
+/// The file's numbers; nothing for a file that is none of ours.
+std::vector<std::uint64_t> read_numbers(const std::string& path) {
+  const File file(path, O_RDONLY);
+  struct stat status {};
+  if (!file.is_open() || ::fstat(file.fd(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  if (size < line * sizeof(std::uint64_t) || size > most_numbers * sizeof(std::uint64_t)) return {};
+  std::vector<std::uint64_t> numbers(size / sizeof(std::uint64_t));
+  const auto bytes = std::as_writable_bytes(std::span(numbers));
+  if (read_at(file.fd(), bytes, 0, path) != bytes.size() || numbers[is_magic] != magic) return {};
+  if (numbers[ranks] >= numbers.size() / line) return {};
+  return numbers;
+}
+
+Blame blame_in(const std::vector<std::uint64_t>& numbers, const InFlightIdentity& identity) {
+  Blame blame;
+  if (numbers.empty() || numbers[spec_hash] != identity.spec_hash || numbers[rows] != identity.rows) return blame;
+  const std::size_t past = line * (1 + numbers[ranks]);
+  for (std::size_t i = past; i + 1 < numbers.size(); i += 2)
+    if (numbers[i] < identity.rows) blame[numbers[i]] += numbers[i + 1];
+  std::vector<std::uint64_t> left;
+  for (std::size_t i = line; i < past; i += line)
+    if (numbers[i] > 0 && numbers[i] <= identity.rows) left.push_back(numbers[i] - 1);
+  for (const std::uint64_t row : left) blame[row] += left.size() == 1 ? 2 : 1;
+  return blame;
+}
+
+}  // namespace
+
+Blame begin_in_flight(const std::string& table, const InFlightIdentity& identity, int rank_count, bool fresh) {
+  const std::string path = name_of(table), part = path + ".part";
+  Blame blame;
+  if (!fresh) blame = blame_in(read_numbers(path), identity);
+  std::vector<std::uint64_t> numbers(line * (1 + static_cast<std::size_t>(rank_count)));
+  numbers[is_magic] = magic;
+  numbers[spec_hash] = identity.spec_hash;
+  numbers[rows] = identity.rows;
+  numbers[run] = identity.run;
+  numbers[ranks] = static_cast<std::uint64_t>(rank_count);
+  for (const auto& [row, weight] : blame) numbers.insert(numbers.end(), {row, weight});
+  const File file(part, O_RDWR | O_CREAT | O_TRUNC);
+  int error = file.is_open() ? write_at(file.fd(), std::as_bytes(std::span(numbers)), 0) : errno;
+  if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return blame;
+  ::unlink(part.c_str());
+  throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
+}
+
+void end_in_flight(const std::string& table, bool complete) noexcept {
+  try {
+    const std::string path = name_of(table);
+    const auto numbers = read_numbers(path);
+    if (complete || numbers.empty() || numbers.size() == line * (1 + numbers[ranks])) ::unlink(path.c_str());
+  } catch (...) {  // memory; the file does no harm
+  }
+}
+
+InFlight::InFlight(const std::string& table, const InFlightIdentity& identity, int rank) {
+  const std::string path = name_of(table);
+  // Another host may see a new file a moment later.
+  for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(3);;) {
+    const auto numbers = read_numbers(path);
+    if (!numbers.empty() && numbers[run] == identity.run) {
+      size_ = numbers.size() * sizeof(std::uint64_t);
+      break;
+    }
+    if (std::chrono::steady_clock::now() >= end)
+      throw OutputError(fmt::format("rank {} does not find {}, which rank 0 has made. All ranks need the same file "
+                                    "system", rank, path));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  const File file(path, O_RDWR);
+  if (!file.is_open())
+    throw OutputError(fmt::format("rank {} cannot write {}, which rank 0 has made: {}", rank, path, reason(errno)));
+  memory_ = ::mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_SHARED, file.fd(), 0);
+  if (memory_ == MAP_FAILED) memory_ = nullptr;
+  if (memory_) slot_ = static_cast<std::uint64_t*>(memory_) + line * (1 + static_cast<std::size_t>(rank));
+}
+
+InFlight::~InFlight() {
+  if (memory_) ::munmap(memory_, size_);
+}
+
+void InFlight::begin(std::uint64_t row) noexcept {
+  if (slot_) std::atomic_ref(*slot_).store(row + 1);
+  if (excused_) end();  // asked after, as excuse() may come at any moment
+}
+
+void InFlight::end() noexcept {
+  if (slot_) std::atomic_ref(*slot_).store(0);
+}
+
+void InFlight::excuse() noexcept {
+  if (!excused_.exchange(true)) end();
+}
+
+}  // namespace sigmasweep

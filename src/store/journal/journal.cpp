@@ -1,0 +1,205 @@
+#include "store/journal/journal.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <span>
+
+#include "store/journal/lock.hpp"
+#include "store/files.hpp"
+#include "store/journal/record.hpp"
+#include "sigmasweep/base/errors.hpp"
+
+namespace sigmasweep {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Group commit: an fdatasync a record would allow some hundred rows/s, one in 1024 some hundred thousand.
+constexpr std::uint64_t records_per_sync = 1024;
+constexpr auto time_per_sync = std::chrono::seconds(1);
+
+constexpr std::uint64_t header_size = sizeof(JournalHeader);
+
+/// One row an index, the one written last, in order of index.
+void keep_last_of_each_index(std::vector<Row>& rows) {
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.index < b.index; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (i + 1 == rows.size() || rows[i + 1].index != rows[i].index) rows[kept++] = rows[i];
+  rows.resize(kept);
+}
+
+}  // namespace
+
+struct Journal::Impl {
+  Impl(const std::string& table_path, const JournalIdentity& identity_, bool fresh, const Carry& carry)
+      : lock(table_path), path(table_path + ".journal"), identity(identity_), codec(make_header(identity_)),
+        buffer(codec.size()) {
+    if (fresh) create({});
+    else open_existing(carry);
+  }
+  ~Impl() {
+    if (file.is_open() && failure.empty() && unsynced != 0) ::fdatasync(file.fd());  // nobody left to tell
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  void open_existing(const Carry& carry);
+  void create(const std::vector<Row>& rows);
+  void recover(const RecordCodec& their_codec);
+  void replace(const JournalHeader& old, const Carry& carry);
+  std::uint64_t end() const { return header_size + records * codec.size(); }
+  [[noreturn]] void fail(const char* what, int error) const {
+    throw IoError(fmt::format("cannot {} {}: {}", what, path, reason(error)));
+  }
+
+  TableLock lock;  // first in, last out
+  std::string path;
+  JournalIdentity identity;
+  RecordCodec codec;
+  File file;
+  std::vector<std::byte> buffer;  // one record
+  std::uint64_t records = 0;      // in the file, damaged ones included
+  std::uint64_t unsynced = 0;
+  Clock::time_point last_sync = Clock::now();
+  std::string failure;  // why nothing can be written any more
+  std::vector<Row> recovered;
+  std::uint64_t dropped = 0;
+};
+
+void Journal::Impl::open_existing(const Carry& carry) {
+  file = File(path, O_RDWR);
+  if (!file.is_open() && errno == ENOENT) return;
+  if (!file.is_open()) throw OutputError(fmt::format("cannot open {}: {}", path, reason(errno)));
+  struct stat status {};
+  if (::fstat(file.fd(), &status) != 0) fail("read", errno);
+  JournalHeader header;
+  std::size_t size = 0;
+  if (S_ISREG(status.st_mode)) size = read_at(file.fd(), std::as_writable_bytes(std::span(&header, 1)), 0, path);
+  const std::string why = why_unusable(header, size, identity);
+  const bool same_but_for_the_sweep =
+      why_unusable(header, size, {header.spec_hash, identity.physics_version, header.rows}).empty();
+  if (!why.empty() && carry && same_but_for_the_sweep) return replace(header, carry);
+  if (!why.empty())
+    throw OutputError(fmt::format("{} {}. Start the sweep again with --fresh, which replaces it, or choose another "
+                                  "output with -o", path, why));
+  recover(codec);
+  if (::ftruncate(file.fd(), static_cast<off_t>(end())) != 0) fail("cut the torn end of", errno);
+}
+
+void Journal::Impl::replace(const JournalHeader& old, const Carry& carry) {
+  recover(RecordCodec(old));
+  recovered = carry(recovered);
+  dropped = 0;
+  create(recovered);
+}
+
+/// Written and synced under another name first: a journal always has a whole header, and the rows that it begins with.
+void Journal::Impl::create(const std::vector<Row>& rows) {
+  const std::string part = path + ".part";
+  File made(part, O_RDWR | O_CREAT | O_TRUNC);
+  if (!made.is_open()) throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
+  const JournalHeader header = make_header(identity);
+  records = 0;
+  int error = write_at(made.fd(), std::as_bytes(std::span(&header, 1)), 0);
+  for (const Row& row : rows) {
+    if (error != 0) break;
+    codec.encode(row, records, buffer.data());
+    error = write_at(made.fd(), buffer, end());
+    ++records;
+  }
+  if (error == 0 && ::fsync(made.fd()) != 0) error = errno;
+  if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
+  if (error != 0) {
+    ::unlink(part.c_str());
+    throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
+  }
+  file = std::move(made);
+  sync_directory_of(path);
+}
+
+/// Reads the records, a bounded number at a time; `records` is then one past the last good one.
+void Journal::Impl::recover(const RecordCodec& their_codec) {
+  const std::size_t record_size = their_codec.size();
+  std::vector<std::byte> chunk(4096 * record_size);
+  std::uint64_t number = 0;  // of the record in the file
+  std::size_t got = 0;
+  do {
+    got = read_at(file.fd(), chunk, header_size + number * record_size, path);
+    const std::size_t whole = got / record_size;
+    for (std::size_t i = 0; i < whole; ++i, ++number) {
+      if (const auto row = their_codec.decode(chunk.data() + i * record_size, number)) {
+        recovered.push_back(*row);
+        records = number + 1;
+      } else {
+        ++dropped;
+      }
+    }
+    if (got % record_size != 0) ++dropped;
+  } while (got == chunk.size());
+  keep_last_of_each_index(recovered);
+}
+
+Journal::Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry)
+    : impl_(std::make_unique<Impl>(table_path, identity, fresh, carry)) {}
+
+Journal::~Journal() = default;
+Journal::Journal(Journal&&) noexcept = default;
+Journal& Journal::operator=(Journal&&) noexcept = default;
+
+bool Journal::is_there() const { return impl_->file.is_open(); }
+
+void Journal::begin(const std::vector<Row>& rows) {
+  if (!is_there()) return impl_->create(rows);
+  for (const Row& row : rows) append(row);
+}
+
+const std::vector<Row>& Journal::recovered() const { return impl_->recovered; }
+std::uint64_t Journal::dropped() const { return impl_->dropped; }
+
+void Journal::append(const Row& row) {
+  Impl& j = *impl_;
+  assert(row.index < j.identity.rows);
+  if (!j.failure.empty()) throw IoError(j.failure);
+  if (!is_there()) j.create({});
+  j.codec.encode(row, j.records, j.buffer.data());
+  if (const int error = write_at(j.file.fd(), j.buffer, j.end()); error != 0) {
+    if (::ftruncate(j.file.fd(), static_cast<off_t>(j.end())) != 0)
+      j.failure = fmt::format("cannot write {}: {}", j.path, reason(error));
+    j.fail("write", error);
+  }
+  ++j.records;
+  ++j.unsynced;
+  if (j.unsynced >= records_per_sync || Clock::now() - j.last_sync >= time_per_sync) sync();
+}
+
+void Journal::sync() {
+  Impl& j = *impl_;
+  if (!j.failure.empty()) throw IoError(j.failure);
+  if (j.unsynced == 0) return;
+  if (::fdatasync(j.file.fd()) != 0) {
+    // The kernel may have dropped the pages and forgotten the error: a second try could succeed without them.
+    j.failure = fmt::format("cannot sync {}: {}", j.path, reason(errno));
+    throw IoError(j.failure);
+  }
+  j.unsynced = 0;
+  j.last_sync = Clock::now();
+}
+
+void Journal::remove() {
+  Impl& j = *impl_;
+  j.failure = fmt::format("{} was removed", j.path);
+  j.file.close();
+  if (::unlink(j.path.c_str()) != 0 && errno != ENOENT) j.fail("remove", errno);
+  sync_directory_of(j.path);
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,63 @@
+#include "store/journal/lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "sigmasweep/base/errors.hpp"
+
+namespace sigmasweep {
+namespace {
+
+struct flock whole_file() {
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
+/// Whether `path` still is the file that `fd` has open. A former owner may have removed it between our open and lock.
+bool same_file(int fd, const std::string& path) {
+  struct stat opened {}, named {};
+  return ::fstat(fd, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
+}
+
+/// Who holds the lock, in words; empty if nobody does any more.
+std::string holder(int fd) {
+  struct flock lock = whole_file();
+  if (::fcntl(fd, F_GETLK, &lock) != 0) return "another process";
+  if (lock.l_type == F_UNLCK) return {};
+  if (lock.l_pid <= 0) return "a process on another machine or in another container";
+  return fmt::format("process {}", lock.l_pid);
+}
+
+}  // namespace
+
+TableLock::TableLock(const std::string& table_path) : path_(table_path + ".lock") {
+  for (;;) {
+    file_ = File(path_, O_RDWR | O_CREAT);
+    if (!file_.is_open()) throw OutputError(fmt::format("cannot create {}: {}", path_, reason(errno)));
+    struct flock lock = whole_file();
+    if (::fcntl(file_.fd(), F_SETLK, &lock) == 0) {
+      if (same_file(file_.fd(), path_)) return;
+      continue;
+    }
+    if (errno == EINTR) continue;
+    if (errno != EACCES && errno != EAGAIN)
+      throw OutputError(fmt::format("cannot lock {}: {}", path_, reason(errno)));
+    const std::string who = holder(file_.fd());
+    if (!who.empty())
+      throw OutputError(fmt::format("another run is working on {}: {} holds {}. Wait for it to end or choose another "
+                                    "output with -o", table_path, who, path_));
+  }
+}
+
+TableLock::~TableLock() {
+  if (file_.is_open()) ::unlink(path_.c_str());  // while it is still ours; a file left behind would do no harm
+}
+
+}  // namespace sigmasweep

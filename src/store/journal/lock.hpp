@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "store/files.hpp"
+
+namespace sigmasweep {
+
+/// The right to write TABLE.h5 and its journal: an exclusive fcntl lock on TABLE.h5.lock, held for life. The system
+/// takes it back when the process dies, however that happens. It holds between processes, not within one.
+class TableLock {
+ public:
+  /// Throws OutputError: held by another process (named by its id), or the lock file cannot be made.
+  explicit TableLock(const std::string& table_path);
+  ~TableLock();
+  TableLock(const TableLock&) = delete;
+  TableLock& operator=(const TableLock&) = delete;
+
+ private:
+  std::string path_;
+  File file_;
+};
+
+}  // namespace sigmasweep

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+
+#include "mpi/collective.hpp"
+#include "store/table/table.hpp"
+
+/// The root attributes of a table.
+namespace sigmasweep {
+
+/// Rank 0's, on every rank: HDF5 wants collective metadata to be the same everywhere.
+TableInfo common_info(const Team& team, TableInfo info);
+
+/// Collective, with a common info; or for a file of one rank.
+void write_info(hid_t file, const char* format, std::uint64_t format_version, const TableInfo& info,
+                std::uint64_t rows);
+
+struct StoredInfo {
+  TableInfo info;
+  std::uint64_t rows = 0;
+};
+
+/// Throws IoError for a file that is no table, or one of a format that this program does not know.
+StoredInfo read_info(hid_t file);
+
+}  // namespace sigmasweep

@@ -1,0 +1,178 @@
+#include "store/table/part.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "store/hdf5/attributes.hpp"
+#include "store/table/packing.hpp"
+#include "store/files.hpp"
+#include "store/table/checksum.hpp"
+#include "store/table/info.hpp"
+#include "store/table/types.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// How many rows are packed or read at a time: bounds the memory, and keeps transfers far below MPI's 2 GiB.
+std::uint64_t rows_per_transfer(const Section& section) {
+  constexpr std::uint64_t bytes_per_transfer = std::uint64_t{32} << 20;
+  return bytes_per_transfer / packed_size(section.fields);
+}
+
+Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "cannot make a property list"}; }
+
+Handle create_file(const Team& team, const std::string& path) {
+  const Handle access = property_list(H5P_FILE_ACCESS);
+  check(H5Pset_fapl_mpio(access, team.comm(), MPI_INFO_NULL), "cannot choose MPI-IO");
+  check(H5Pset_coll_metadata_write(access, true), "cannot choose collective metadata");
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "cannot create"};
+}
+
+/// Contiguous, of known size, allocated at once and not filled; units, meanings and checksum as its attributes.
+Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows, std::uint64_t checksum) {
+  const std::string what = "cannot create dataset " + section.name;
+  const Handle creation = property_list(H5P_DATASET_CREATE);
+  check(H5Pset_layout(creation, H5D_CONTIGUOUS), what);
+  check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), what);
+  check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), what);
+  check(H5Pset_obj_track_times(creation, false), what);
+  const hsize_t extent = rows;
+  const Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose, what);
+  Handle dataset(H5Dcreate2(file, section.name.c_str(), packed_type(section.fields), space, H5P_DEFAULT, creation,
+                            H5P_DEFAULT), H5Dclose, what);
+  for (const Field& field : section.fields) {
+    write_text(dataset, fmt::format("unit:{}", field.name), std::string(field.unit));
+    write_text(dataset, fmt::format("meaning:{}", field.name), std::string(field.meaning));
+  }
+  write_checksum(dataset, checksum);
+  return dataset;
+}
+
+/// `rows` rows of the dataset from `first` on, or no rows.
+Handle select(hid_t dataset, std::uint64_t first, std::uint64_t rows) {
+  Handle space(H5Dget_space(dataset), H5Sclose, "cannot select rows");
+  const hsize_t start = first, count = rows;
+  check(rows == 0 ? H5Sselect_none(space)
+                  : H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &count, nullptr), "cannot select rows");
+  return space;
+}
+
+/// The same number of rows in memory.
+Handle memory_space(std::uint64_t rows) {
+  const hsize_t extent = std::max<std::uint64_t>(rows, 1);
+  Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose, "cannot select rows");
+  if (rows == 0) check(H5Sselect_none(space), "cannot select rows");
+  return space;
+}
+
+std::uint64_t checksum_of(const Section& section, const Block& block) {
+  const std::size_t row_size = packed_size(section.fields);
+  std::vector<std::byte> bytes(row_size);
+  std::uint64_t sum = 0;
+  for (std::uint64_t k = 0; k < block.rows.size(); ++k) {
+    pack(section.fields, block.rows[k], bytes.data());
+    sum += checksum_of_rows(bytes, row_size, block.first + k);
+  }
+  return sum;
+}
+
+/// Collective: one write of all ranks' rows, or a few if there are very many.
+void write_dataset(const Team& team, hid_t dataset, const Section& section, Block block) {
+  const std::string what = "cannot write dataset " + section.name;
+  const std::size_t row_size = packed_size(section.fields);
+  const std::uint64_t at_a_time = rows_per_transfer(section);
+  const std::uint64_t transfers = team.max((block.rows.size() + at_a_time - 1) / at_a_time);
+  std::vector<std::byte> buffer;
+  Handle transfer, type;
+  team.together([&] {
+    buffer.resize(row_size * std::clamp<std::uint64_t>(block.rows.size(), 1, at_a_time));
+    transfer = property_list(H5P_DATASET_XFER);
+    check(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE), what);
+    // All ranks call, but each writes its own contiguous bytes itself: nothing to gain from passing them on between
+    // the ranks first, and there Open MPI hangs when a write fails (disk full) and with some numbers of ranks.
+    check(H5Pset_dxpl_mpio_collective_opt(transfer, H5FD_MPIO_INDIVIDUAL_IO), what);
+    type = packed_type(section.fields);
+  });
+  for (std::uint64_t i = 0; i < transfers; ++i) {
+    const auto rows = block.rows.subspan(0, std::min<std::uint64_t>(at_a_time, block.rows.size()));
+    Handle in_memory, in_file;
+    team.together([&] {  // apart from the write: a rank that fails alone here must not leave the others waiting there
+      for (std::size_t k = 0; k < rows.size(); ++k) pack(section.fields, rows[k], buffer.data() + k * row_size);
+      in_memory = memory_space(rows.size());
+      in_file = select(dataset, block.first, rows.size());
+    });
+    team.together([&] { check(H5Dwrite(dataset, type, in_memory, in_file, transfer, buffer.data()), what); });
+    block = {block.first + rows.size(), block.rows.subspan(rows.size())};
+  }
+}
+
+Checksums checksums_in_dataset(hid_t file, const Section& section, std::uint64_t total_rows, std::uint64_t first,
+                               std::uint64_t rows) {
+  const std::string what = "cannot read dataset " + section.name + " back";
+  const Handle dataset(H5Dopen2(file, section.name.c_str(), H5P_DEFAULT), H5Dclose, what);
+  const Handle stored(H5Dget_type(dataset), H5Tclose, what), type = packed_type(section.fields);
+  const Handle space(H5Dget_space(dataset), H5Sclose, what);
+  if (H5Tequal(stored, type) <= 0 || H5Sget_simple_extent_npoints(space) != static_cast<hssize_t>(total_rows))
+    throw IoError(what + ": it is not what was written");
+  return {checksum_of_stored_rows(dataset, first, rows), read_checksum(dataset)};
+}
+
+}  // namespace
+
+void reserve_space(const std::string& path, std::uint64_t bytes) {
+  const File file(path, O_WRONLY);
+  int error = file.is_open() ? 0 : errno;
+  while (error == 0 || error == EINTR) {
+    error = ::posix_fallocate(file.fd(), 0, static_cast<off_t>(bytes));
+    if (error == 0) return;
+  }
+  if (error == EINVAL || error == EOPNOTSUPP) return;  // a file system without: reading back must do
+  throw IoError(fmt::format("no room for {} bytes: {}", bytes, reason(error)));
+}
+
+std::vector<Checksums> write_part(const Team& team, const std::string& path, const TableInfo& info,
+                                  std::span<const Section> sections, std::uint64_t total_rows, Block block) {
+  std::vector<Checksums> checksums(sections.size());
+  team.together([&] {
+    for (std::size_t i = 0; i < sections.size(); ++i) checksums[i].block = checksum_of(sections[i], block);
+  });
+  for (Checksums& each : checksums) each.dataset = team.sum(each.block);
+  Handle file;
+  team.together([&] { file = create_file(team, path); });
+  const TableInfo common = common_info(team, info);
+  std::vector<Handle> datasets;
+  team.together([&] {
+    write_info(file, table_format, table_format_version, common, total_rows);
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      checksums[i].dataset += checksum_of_layout(packed_type(sections[i].fields));
+      datasets.push_back(create_dataset(file, sections[i], total_rows, checksums[i].dataset));
+    }
+  });
+  team.together([&] {
+    hsize_t bytes = 0;  // with all metadata and the space of the datasets
+    check(H5Fget_filesize(file, &bytes), "cannot ask for the file's size");
+    if (team.rank() == 0) reserve_space(path, bytes);
+  });
+  for (std::size_t i = 0; i < sections.size(); ++i) write_dataset(team, datasets[i], sections[i], block);
+  team.together([&] {
+    for (Handle& dataset : datasets) dataset.close("cannot close a dataset");
+    check(H5Fflush(file, H5F_SCOPE_GLOBAL), "cannot sync");  // every rank brings its own writes to the disk
+    file.close("cannot close");
+  });
+  return checksums;
+}
+
+std::vector<Checksums> checksums_in_part(const std::string& path, std::span<const Section> sections,
+                                         std::uint64_t total_rows, std::uint64_t first, std::uint64_t rows) {
+  const Handle file = open_for_reading(path);
+  if (read_info(file).rows != total_rows) throw IoError("the root attributes are not what was written");
+  std::vector<Checksums> checksums;
+  for (const Section& section : sections)
+    checksums.push_back(checksums_in_dataset(file, section, total_rows, first, rows));
+  return checksums;
+}
+
+}  // namespace sigmasweep

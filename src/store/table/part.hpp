@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mpi/collective.hpp"
+#include "store/table/table.hpp"
+
+/// The steps of write_table: write PATH.part together, then read it back.
+namespace sigmasweep {
+
+/// One dataset of a table.
+struct Section {
+  std::string name;
+  std::span<const Field> fields;
+};
+
+/// A contiguous range of rows.
+struct Block {
+  std::uint64_t first = 0;
+  std::span<const Row> rows;
+};
+
+/// What checks a dataset.
+struct Checksums {
+  std::uint64_t block = 0;    ///< of some of its rows
+  std::uint64_t dataset = 0;  ///< of all, and of the layout: what the file says about itself (table_checksum.hpp)
+  bool operator==(const Checksums&) const = default;
+};
+
+/// Sets aside disk space for the file's first `bytes` bytes. Throws IoError (disk full).
+void reserve_space(const std::string& path, std::uint64_t bytes);
+
+/// Collective. Makes the file `path`, which must be there already, a table of `total_rows` rows with these datasets
+/// and this rank's block in them. Returns the checksums of each dataset, with those of this rank's block.
+std::vector<Checksums> write_part(const Team& team, const std::string& path, const TableInfo& info,
+                                  std::span<const Section> sections, std::uint64_t total_rows, Block block);
+
+/// Reads the table that write_part() wrote, on this rank alone; returns the checksums, with those of that range of
+/// rows. Throws IoError if the file is anything else but such a table.
+std::vector<Checksums> checksums_in_part(const std::string& path, std::span<const Section> sections,
+                                         std::uint64_t total_rows, std::uint64_t first, std::uint64_t rows);
+
+}  // namespace sigmasweep

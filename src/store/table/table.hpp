@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <hdf5.h>  // brings MPI_Comm with the parallel library
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sigmasweep/model/fields.hpp"
+#include "sigmasweep/model/row.hpp"
+#include "sweep/slice.hpp"
+
+namespace sigmasweep {
+
+/// What a table's root attributes say about the sweep and its run: title, spec, spec_hash (hexadecimal text), host,
+/// start, ranks, and for a slice of a sweep slice_index and slice_count. The writer adds format ("sigmasweep-table"),
+/// format_version, rows, physics_version, program_version, git_revision, compiler, compiler_flags, mpi_version and
+/// hdf5_version. All texts are UTF-8.
+struct TableInfo {
+  std::string title, spec_text, host, start;  ///< start: ISO 8601, UTC
+  std::uint64_t spec_hash = 0;
+  int ranks = 1;
+  Slice slice;                        ///< the table's rows are those; every rank has the same
+  std::uint32_t physics_version = 0;  ///< of a table that was read; the writer writes the program's own
+  std::string build;                  ///< likewise, as build_name()
+};
+
+/// Writes the table collectively: every rank of `comm` brings its contiguous block of rows, `first` being the place in
+/// the table of the block's first row (blocks may be empty; together they make up `total_rows` rows, in spec order; of
+/// a slice those that it has); `info` is rank 0's, but for the slice. /results holds `columns` in that order, /timings
+/// the timing fields: one-dimensional compounds without padding, enumerations with their names. The unit and meaning of
+/// member X are the dataset's attributes unit:X and meaning:X; its attribute checksum is the sum, modulo 2^64, of
+/// XXH3_64bits of each row's bytes, seeded with the row's place in the table, and of the text that describes the
+/// members (src/store/table_checksum.hpp).
+///
+/// Goes to PATH.part, space set aside up front, read back and compared by checksum, sealed with a checksum of the whole
+/// file behind its end, synced, then renamed: PATH is complete or as it was before. Every rank returns or every rank
+/// throws the same error (OutputError: cannot be created; IoError: disk full, a failed write, other bytes read back
+/// than written). /results is the same to the bit for any number of ranks and any blocks.
+void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
+                 std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block);
+
+/// A table read back on one rank.
+struct Table {
+  TableInfo info;
+  std::vector<Field> columns;  ///< what /results has
+  std::vector<Row> rows;       ///< with timings; members that the file lacks keep their defaults; index: the spec's row
+};
+
+/// Reads a table without MPI. Members are found by name and converted; unknown ones are passed over. Throws
+/// InputNotFound, or IoError for a file that is not a whole sigmasweep table, or not any more the one that was written.
+Table read_table(const std::string& path);
+
+}  // namespace sigmasweep

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <span>
+#include <string>
+
+#include "store/hdf5/handle.hpp"
+#include "sigmasweep/model/fields.hpp"
+
+/// What a table looks like in HDF5, for the writer and the reader.
+namespace sigmasweep {
+
+inline constexpr const char* table_format = "sigmasweep-table";
+inline constexpr std::uint64_t table_format_version = 2;
+
+/// The HDF5 type of one value: the machine's numbers; enumerations with the names of their values.
+Handle value_type(FieldType type);
+
+/// The compound of `fields` as pack() lays them out. The same in the file and in memory: with nothing to convert,
+/// HDF5 does collective transfers collectively (with a conversion it falls back to independent ones, silently).
+Handle packed_type(std::span<const Field> fields);
+
+/// The name of a member of a compound or an enumeration. Throws IoError.
+std::string member_name(hid_t type, unsigned i);
+
+/// Opens a file for reading on this rank alone.
+Handle open_for_reading(const std::string& path);
+
+}  // namespace sigmasweep

@@ -1,0 +1,130 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "mpi/collective.hpp"
+#include "store/hdf5/handle.hpp"
+#include "store/table/packing.hpp"
+#include "store/files.hpp"
+#include "store/table/seal.hpp"
+#include "store/table/table.hpp"
+#include "store/table/part.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// What Open MPI keeps beside a file while ranks have it open together, and leaves there if they are killed.
+void remove_company_of(const std::string& part) {
+  namespace fs = std::filesystem;
+  const fs::path path(part);
+  const std::string name = path.filename();
+  std::error_code none;  // what cannot be removed does no harm
+  for (fs::directory_iterator it(path.has_parent_path() ? path.parent_path() : ".", none), end; it != end;
+       it.increment(none)) {
+    const std::string other = it->path().filename();
+    if (!other.starts_with(name)) continue;
+    const std::string_view rest = std::string_view(other).substr(name.size());
+    if ((rest.starts_with('-') && rest.ends_with(".lock")) || rest.starts_with(".data.") ||
+        rest.starts_with(".metadata."))
+      ::unlink(it->path().c_str());
+  }
+}
+
+/// Rank 0 makes an empty file and finds out whether the disk has room for what it will be, before HDF5 is asked to do
+/// anything: with a full disk HDF5 over MPI-IO reports success all along.
+void prepare(const std::string& path, const std::string& part, std::uint64_t bytes) {
+  struct stat there {};
+  if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
+    throw OutputError(fmt::format("{} is there already and is no file", path));
+  remove_company_of(part);
+  if (!File(part, O_RDWR | O_CREAT | O_TRUNC).is_open())
+    throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
+  reserve_space(part, bytes);
+}
+
+/// The ranks' file systems may differ, and a rank that cannot open the file would leave the others waiting for it.
+void see_same_file(const std::string& part, int rank) {
+  if (!File(part, O_RDWR).is_open())
+    throw OutputError(fmt::format("rank {} cannot open {}, which rank 0 created: {}. All ranks need the same file "
+                                  "system", rank, part, reason(errno)));
+}
+
+/// The blocks must cover the table; nothing would fill a gap.
+void check_blocks(const Team& team, const Slice& slice, std::uint64_t total_rows, const Block& block) {
+  const std::uint64_t rows = team.sum(block.rows.size());
+  team.together([&] {
+    bool right = rows == total_rows;
+    for (std::size_t k = 0; k < block.rows.size(); ++k)
+      right = right && block.rows[k].index == slice.row(block.first + k);
+    if (!right) throw std::logic_error(fmt::format("the ranks' blocks do not make up {} rows", total_rows));
+  });
+}
+
+/// Every rank reads what the next one wrote: its own rows it might find in its own machine's memory.
+void read_back(const Team& team, const std::string& part, std::span<const Section> sections,
+               std::uint64_t total_rows, const Block& block, const std::vector<Checksums>& checksums) {
+  std::vector<std::uint64_t> message{block.first, block.rows.size()};
+  for (const Checksums& each : checksums) message.push_back(each.block);
+  const int before = (team.rank() + team.size() - 1) % team.size(), next = (team.rank() + 1) % team.size();
+  check_mpi(MPI_Sendrecv_replace(message.data(), static_cast<int>(message.size()), MPI_UINT64_T, before, 0, next, 0,
+                                 team.comm(), MPI_STATUS_IGNORE), "cannot exchange checksums");
+  team.together([&] {
+    const auto found = checksums_in_part(part, sections, total_rows, message[0], message[1]);
+    for (std::size_t i = 0; i < sections.size(); ++i)
+      if (found[i] != Checksums{message[2 + i], checksums[i].dataset})
+        throw IoError(fmt::format("rows {} to {} of {} read back are not what was written", message[0],
+                                  message[0] + message[1] - 1, sections[i].name));
+  });
+}
+
+/// From here on PATH is there, whole, whatever happens.
+void publish(const std::string& part, const std::string& path) {
+  seal(part);
+  if (std::rename(part.c_str(), path.c_str()) != 0)
+    throw OutputError(fmt::format("cannot rename {}: {}", part, reason(errno)));
+  sync_directory_of(path);
+}
+
+void write_together(const Team& team, const std::string& path, const TableInfo& info,
+                    std::span<const Section> sections, std::uint64_t total_rows, const Block& block) {
+  const std::string part = path + ".part";
+  std::uint64_t bytes = (std::uint64_t{1} << 16) + 2 * (info.title.size() + info.spec_text.size());
+  for (const Section& section : sections) bytes += total_rows * packed_size(section.fields);
+  check_blocks(team, info.slice, total_rows, block);
+  try {
+    team.together([&] { if (team.rank() == 0) prepare(path, part, bytes); });
+    team.together([&] { see_same_file(part, team.rank()); });
+    const auto checksums = write_part(team, part, info, sections, total_rows, block);
+    read_back(team, part, sections, total_rows, block, checksums);
+    team.together([&] { if (team.rank() == 0) publish(part, path); });
+  } catch (const Error&) {
+    if (team.rank() == 0) ::unlink(part.c_str());
+    throw;
+  }
+}
+
+}  // namespace
+
+void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
+                 std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block) {
+  const Hdf5Session session;
+  const Team team(comm);
+  const std::array sections{Section{"results", columns}, Section{"timings", timing_fields()}};
+  try {
+    write_together(team, path, info, sections, total_rows, {first, block});
+  } catch (const OutputError& error) {
+    throw OutputError(fmt::format("cannot write {}: {}", path, error.what()));
+  } catch (const IoError& error) {
+    throw IoError(fmt::format("cannot write {}: {}", path, error.what()));
+  }
+}
+
+}  // namespace sigmasweep

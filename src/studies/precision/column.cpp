@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "studies/precision/subject.hpp"
+#include "sigmasweep/contact/law.hpp"
+#include "base/quad.hpp"
+#include "solve/exact/linear/collision.hpp"
+#include "solve/fixed_step/collision.hpp"
+#include "solve/exact/power_law/collision.hpp"
+#include "solve/reference/normal_modes.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+
+/// Columns that fly into a wall.
+namespace sigmasweep {
+namespace {
+
+constexpr double settle = 1e-19;
+/// About ten seconds of each: what takes longer is chaotic, and no reference.
+constexpr std::uint64_t most_contacts_moved = 10'000'000, most_modes = 300'000'000;
+
+template <class Real>
+Answer answer(const Outcome<Real>& outcome, const Column<Real>& column) {
+  Answer a;
+  a.known = outcome.status == Status::ok;
+  if (!a.known) return a;
+  a.value = static_cast<long double>(energies<Real>(outcome.velocity, column.speed, column.mass).eps_eff);
+  for (const Real& v : outcome.velocity) a.velocity.push_back(static_cast<double>(v / column.speed));
+  return a;
+}
+
+template <class Real>
+Answer by_series(const Parameters& p) {
+  const Column<Real> column = reduced_column<Real>(p);
+  return answer<Real>(exact_collision(column, {.settle = settle, .work_limit = most_contacts_moved}), column);
+}
+
+Answer by_modes(const Parameters& p) {
+  const auto column = reduced_column<long double>(p);
+  return answer(normal_modes_collision(column, {.settle = settle, .work_limit = most_modes}), column);
+}
+
+Reference by_steps(double accuracy) {
+  return [accuracy](const Parameters& p) {
+    const auto column = reduced_column<long double>(p);
+    return answer(nonlinear_collision(column, {.accuracy = accuracy, .settle = settle}), column);
+  };
+}
+
+/// The final velocities of the exact solver as it stops for this tolerance. In double: where simulate() needs more
+/// than that, its eps_eff is better than these.
+std::vector<double> exact_velocities(const Parameters& p) {
+  const Column<double> column = reduced_column<double>(p);
+  const double left = 1e-3 * p.tolerance;
+  if (column.exponents.linear()) return exact_collision(column, {.settle = left}).velocity;
+  return nonlinear_collision(column, {.accuracy = std::max(1e-3 * p.tolerance, 1e-15), .settle = left}).velocity;
+}
+
+Trial exact_trial(const Parameters& p) {
+  const auto run = [p] {
+    const Collision c = simulate(p);
+    return Found{.failed = !is_success(c.status), .value = c.eps_eff, .velocity = {}};
+  };
+  return {run, [p] { return exact_velocities(p); }};
+}
+
+/// The wall is further away by a part of what the column flies in a step.
+Trial fixed_step_trial(const Parameters& p, double phase) {
+  const double dt = 1.0 / p.steps_per_tc;
+  const auto column = std::make_shared<Column<double>>(reduced_column<double>(p));
+  if (column->gaps.empty()) column->gaps.assign(column->contacts(), column->gap);
+  column->gaps[0] += phase * dt * column->speed;
+  return {[column, dt, integrator = p.integrator] {
+    std::uint64_t steps = 0;
+    Outcome<double> outcome = fixed_step_collision(*column, integrator, dt, {.steps = &steps});
+    Found found{.failed = !is_success(outcome.status),
+                .value = energies<double>(outcome.velocity, column->speed, column->mass).eps_eff};
+    found.velocity = std::move(outcome.velocity);
+    found.evaluations = static_cast<double>(steps) * (integrator == Integrator::rk4 ? 4.0 : 1.0);
+    return found;
+  }};
+}
+
+}  // namespace
+
+Subject column_subject(const Parameters& scene, const PrecisionSpec& spec) {
+  Subject column{.tuples = with_other_sigmas(scene, spec), .reference = by_series<long double>, .check = by_modes};
+  column.independent = true;
+  if (!exponents(scene).linear()) {
+    column.reference = by_steps(1e-17);
+    column.check = by_steps(1e-14);
+    column.independent = false;
+  } else if (scene.width > 0.0) {
+    column.check = by_series<Quad>;
+    column.check_is_better = true;
+    column.independent = false;
+  }
+  column.trial = [](const Parameters& p, double phase) {
+    return p.integrator == Integrator::exact ? exact_trial(p) : fixed_step_trial(p, phase);
+  };
+  return column;
+}
+
+}  // namespace sigmasweep

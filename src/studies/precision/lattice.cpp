@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <memory>
+
+#include "studies/precision/subject.hpp"
+#include "base/random.hpp"
+#include "assembly/lattice.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+
+/// Lattices that fly into a wall.
+namespace sigmasweep {
+namespace {
+
+/// Half a minute of beads and contacts moved in stages of steps: what takes longer is no reference.
+constexpr std::uint64_t most_work = 200'000'000;
+
+template <class Real>
+std::vector<double> velocities(const Lattice<Real>& lattice, const LatticeOutcome<Real>& outcome) {
+  std::vector<double> components;
+  for (const Vec2<Real>& v : outcome.velocity)
+    for (const Real& component : {v.x, v.z}) components.push_back(static_cast<double>(component / lattice.beads.speed));
+  return components;
+}
+
+Reference by_steps(double accuracy) {
+  return [accuracy](const Parameters& p) {
+    const auto lattice = reduced_lattice<long double>(p);
+    const auto outcome =
+        lattice_collision(lattice, {.accuracy = accuracy, .settle = 1e-17, .work_limit = most_work});
+    Answer a;
+    a.known = outcome.status == Status::ok;
+    if (!a.known) return a;
+    a.value = energies(lattice, outcome.velocity).eps_eff;
+    a.velocity = velocities(lattice, outcome);
+    return a;
+  };
+}
+
+/// Those of the first run for this tolerance (lattice_tuple.cpp), in double.
+std::vector<double> exact_velocities(const Parameters& p) {
+  const auto lattice = reduced_lattice<double>(p);
+  const double accuracy = std::clamp(1e-3 * p.tolerance, 1e-15, 1e-8);
+  return velocities(lattice, lattice_collision(lattice, {.accuracy = accuracy, .settle = 1e-3 * p.tolerance}));
+}
+
+Trial exact_trial(const Parameters& p, double longest) {
+  const auto run = [p, longest] {
+    Patience patience(longest);
+    const Collision c = simulate(p, &patience);
+    return Found{.failed = !is_success(c.status), .value = c.eps_eff};
+  };
+  return {run, [p] { return exact_velocities(p); }};
+}
+
+/// All beads are higher by a part of what they fly in a step.
+Trial fixed_step_trial(const Parameters& p, double phase, double longest) {
+  const double dt = 1.0 / p.steps_per_tc;
+  const auto lattice = std::make_shared<Lattice<double>>(reduced_lattice<double>(p));
+  lattice->shift.resize(lattice->count());
+  for (Vec2<double>& shift : lattice->shift) shift.z += phase * dt * lattice->beads.speed;
+  return {.run = [lattice, dt, longest, integrator = p.integrator] {
+    Patience patience(longest);
+    const auto outcome = fixed_step_lattice_collision(*lattice, integrator, dt, {.patience = &patience});
+    return Found{.failed = !is_success(outcome.status),
+                 .value = energies(*lattice, outcome.velocity).eps_eff,
+                 .velocity = velocities(*lattice, outcome)};
+  }};
+}
+
+}  // namespace
+
+Subject lattice_subject(const Parameters& scene, const PrecisionSpec& spec) {
+  Subject lattice{.tuples = with_other_sigmas(scene, spec), .reference = by_steps(1e-15), .check = by_steps(1e-13)};
+  if (scene.random_separation == Flag::yes)
+    for (std::size_t k = 0; k < lattice.tuples.size(); ++k)
+      lattice.tuples[k].seed =
+          static_cast<std::int64_t>(random_bits(stream_key(spec.seed, "shifts"), k) >> 1);
+  lattice.trial = [longest = too_long * spec.longest](const Parameters& p, double phase) {
+    return p.integrator == Integrator::exact ? exact_trial(p, longest) : fixed_step_trial(p, phase, longest);
+  };
+  return lattice;
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "store/table/table.hpp"
+#include "sigmasweep/model/fields.hpp"
+#include "sigmasweep/studies/precision/study.hpp"
+
+namespace sigmasweep {
+
+/// Writes a precision study: a compound dataset /precision, one row for each scene and setting, with these parameters,
+/// the integrator and precision_fields(); units and meanings as its attributes unit:X and meaning:X; root attributes as
+/// those of a table. PATH is complete or as it was before. Throws OutputError or IoError.
+void write_precision_table(const std::string& path, const TableInfo& info, std::span<const Field> parameters,
+                           std::span<const PrecisionRow> rows);
+
+/// Whether there is a file that says of itself that it is one.
+bool is_precision_table(const std::string& path);
+
+/// A study read back.
+struct PrecisionTable {
+  std::string spec_text;
+  std::vector<PrecisionRow> rows;  ///< of the parameters with the integrator only: the scene's are the spec's
+};
+
+/// Throws InputNotFound, or IoError for a file that is none.
+PrecisionTable read_precision_table(const std::string& path);
+
+}  // namespace sigmasweep

@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/commands.hpp"
+#include "base/exit_codes.hpp"
+#include "mpi/on_root.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "studies/stability/map_text_and_plot.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+#include "engine/stored_sweep.hpp"
+
+namespace sigmasweep {
+namespace {
+
+using namespace exit_code;
+
+void require_steps(const Sweep& sweep, const std::string& spec) {
+  const auto& columns = sweep.columns();
+  const auto has = [&](std::string_view name) {
+    return std::ranges::find(columns, name, &Field::name) != columns.end();
+  };
+  if (!has("predicted_growth"))
+    throw SpecError(fmt::format("{}: a stability study needs tuples with integrator gear5, verlet or rk4", spec));
+}
+
+bool is_well(const Row& row) { return row.collision.status == Status::unstable || is_success(row.collision.status); }
+
+}  // namespace
+
+int stability(World& world, const StabilityOptions& options) {
+  const int loaded = on_manager(world, [&] {
+    require_steps(Sweep::load(options.run.spec), options.run.spec);
+    return success;
+  });
+  if (loaded != success) return loaded;
+  const int ran = run(world, options.run);
+  if (ran != success && ran != some_rows_failed) return ran;
+  return on_manager(world, [&] {
+    const std::string table = options.run.output.empty() ? default_table(options.run.spec) : options.run.output;
+    const StoredSweep stored = read_stored_sweep(table);
+    const auto& rows = stored.table.rows;
+    const PlotSpec map = stability_plot(stored.sweep->plots());
+    fmt::print("{}", stability_text(rows, map, stored.sweep->axes()));
+    for (const char* form : {".svg", ".png"}) {
+      if (!options.plots) break;
+      const std::string picture = std::filesystem::path(table).replace_extension(form).string();
+      plot_stability(rows, map, stored.sweep->axes(), stored.table.info.title, picture);
+      fmt::print(stderr, "{}\n", picture);
+    }
+    return std::ranges::all_of(rows, is_well) ? success : some_rows_failed;
+  });
+}
+
+}  // namespace sigmasweep

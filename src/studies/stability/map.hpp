@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sigmasweep/model/row.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+
+/// What a stability study shows, before it is text or picture.
+namespace sigmasweep {
+
+/// How a row came out: |error of eps_eff| below 1 %, below 10 %, above; unstable; or no result for other reasons.
+enum class Observed { good, fair, wrong, unstable, nothing };
+
+struct StabilityCell {
+  double y = 0.0;
+  double steps = 0.0;  ///< tc/dt
+  Observed observed = Observed::nothing;
+  bool predicted_stable = false;
+};
+
+struct StabilityLimit {
+  double y = 0.0;
+  double steps = 0.0;  ///< the fewest a tc that theory allows
+};
+
+struct StabilityMap {
+  std::string label, plain_label;  ///< for gnuplot, and as text: the values of the other axes
+  std::vector<StabilityCell> cells;
+  std::vector<StabilityLimit> limits;  ///< by y, also between those of the cells
+};
+
+/// One map for each combination of the axes that are neither plot.y nor steps_per_tc, in the order of the rows; of the
+/// rows that plot.where chooses. Throws UsageError.
+std::vector<StabilityMap> stability_maps(std::span<const Row> rows, const PlotSpec& plot,
+                                         std::span<const std::string> axes);
+
+/// The parameter plot.y names. Throws UsageError for anything else.
+const Field& stability_axis(const PlotSpec& plot);
+
+}  // namespace sigmasweep

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sigmasweep/model/fields.hpp"
+#include "sigmasweep/model/row.hpp"
+
+namespace sigmasweep {
+
+/// A number made from the fields of a row, such as `(1 - eps_eff)/(1 - epsilon)`: the operators and functions of
+/// Where, but a number as a whole.
+class Formula {
+ public:
+  /// Throws UsageError as Where does.
+  Formula(const std::string& expression, std::span<const Field> fields);
+  ~Formula();
+  Formula(Formula&&) noexcept;
+  Formula& operator=(Formula&&) noexcept;
+
+  /// Not for use by several threads at once.
+  double operator()(const Row& row);
+  /// The fields that it needs, in the order of their first use.
+  std::vector<Field> used() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A function of x, such as "0.5*x^2 + sin(x)", written as expressions are.
+class FunctionOfX {
+ public:
+  /// Throws UsageError as Formula does.
+  explicit FunctionOfX(const std::string& expression);
+  double operator()(double x);
+
+ private:
+  Formula formula_;
+};
+
+}  // namespace sigmasweep

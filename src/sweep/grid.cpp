@@ -1,0 +1,42 @@
+#include "sweep/grid.hpp"
+
+#include <cassert>
+#include <utility>
+
+#include "sigmasweep/model/geometry.hpp"
+#include "sweep/calibration_cache.hpp"
+
+namespace sigmasweep {
+
+std::uint64_t size_of(const std::vector<Product::Group>& groups) {
+  std::uint64_t size = 1;
+  for (const Product::Group& group : groups) size *= group.front().axis.size();
+  return size;
+}
+
+Parameters values_at(const Parameters& base, const std::vector<Product::Group>& groups, std::uint64_t index) {
+  Row row;
+  row.parameters = base;
+  for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
+    const std::uint64_t length = group->front().axis.size();
+    for (const Product::Member& member : *group) set_number(*member.field, row, member.axis[index % length]);
+    index /= length;
+  }
+  return row.parameters;
+}
+
+Product::Product(const Parameters& base, Gap gap, std::vector<Group> groups)
+    : base_(base), gap_(gap), groups_(std::move(groups)), size_(size_of(groups_)),
+      contacts_(std::make_shared<const Contacts>(base_, groups_)) {}
+
+Parameters Product::at(std::uint64_t index) const {
+  assert(index < size_);
+  Parameters parameters = values_at(base_, groups_, index);
+  give_beads(parameters);
+  contacts_->give(parameters);
+  give_gap(parameters, gap_);
+  give_plate(parameters);
+  return parameters;
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sigmasweep/model/parameters.hpp"
+#include "sweep/axis.hpp"
+#include "sigmasweep/model/fields.hpp"
+
+namespace sigmasweep {
+
+class Contacts;
+
+/// All tuples of a sweep before `where`: groups of axes multiply, the last group fastest; the axes of one group
+/// advance together. Index -> tuple is arithmetic.
+class Product {
+ public:
+  struct Member {
+    const Field* field;
+    Axis axis;
+  };
+  using Group = std::vector<Member>;  ///< axes of one length; at least one
+
+  /// `base` holds the parameters that are no axes, `gap` says which of s0 and sigma is given. What complete() needs
+  /// much time for is worked out here, as long as it is not too much, and remembered.
+  Product(const Parameters& base, Gap gap, std::vector<Group> groups);
+
+  std::uint64_t size() const { return size_; }
+  /// The tuple, as complete() makes it. Safe from several threads at once.
+  Parameters at(std::uint64_t index) const;
+  const Parameters& base() const { return base_; }
+  const std::vector<Group>& groups() const { return groups_; }
+  const Contacts& contacts() const { return *contacts_; }
+
+ private:
+  Parameters base_;
+  Gap gap_;
+  std::vector<Group> groups_;
+  std::uint64_t size_ = 1;
+  std::shared_ptr<const Contacts> contacts_;
+};
+
+/// Number of tuples of these groups, which fits into 64 bits, and the values of one of them; the rest is `base`.
+std::uint64_t size_of(const std::vector<Product::Group>& groups);
+Parameters values_at(const Parameters& base, const std::vector<Product::Group>& groups, std::uint64_t index);
+
+}  // namespace sigmasweep

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/random.hpp"
+
+/// Quasi-random numbers as functions of an index, as the random ones of scene/random.hpp.
+namespace sigmasweep {
+
+/// The place of k in a permutation of 0 .. count-1 chosen by `key`: a Feistel network on the next power of four,
+/// walked until it falls below count (Black & Rogaway, CT-RSA 2002).
+std::uint64_t shuffled(std::uint64_t k, std::uint64_t count, std::uint64_t key);
+
+/// One dimension of the Sobol sequence with the direction numbers of Joe & Kuo (2008), from Boost. The origin is
+/// skipped: the first dimension begins 0.5, 0.75, 0.25, ...
+class SobolDimension {
+ public:
+  explicit SobolDimension(std::size_t dimension);
+  /// Point k as a 64-bit binary fraction, k < 2^48 - 1.
+  std::uint64_t bits(std::uint64_t k) const;
+
+ private:
+  std::array<std::uint64_t, 48> direction_;
+};
+
+}  // namespace sigmasweep

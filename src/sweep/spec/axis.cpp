@@ -1,0 +1,149 @@
+#include "sweep/spec/axis.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "sigmasweep/base/errors.hpp"
+#include "base/spelling.hpp"
+
+namespace sigmasweep::spec {
+namespace {
+
+using Names = std::array<std::string_view, 6>;
+constexpr Names known_keys{"from", "to", "count", "scale", "sample", "seed"};
+constexpr std::array<std::string_view, 2> scales{"linear", "log"};
+constexpr std::array<std::string_view, 4> samples{"uniform", "log-uniform", "sobol", "latin-hypercube"};
+
+constexpr std::uint64_t most_values = std::uint64_t{1} << 40;
+constexpr std::uint64_t most_stored_values = std::uint64_t{1} << 20;
+constexpr double largest_whole = 0x1p53;  // doubles hold all whole numbers up to here
+
+bool is_whole(const Field& field) { return field.type == FieldType::integer; }
+
+/// Refuses a value that is out of range for its parameter alone, whatever the others are.
+void require_allowed(const Entry& entry, const Field& field, double value) {
+  if (is_whole(field) && !(std::floor(value) == value && std::abs(value) <= largest_whole))
+    refuse_value(entry, "must be a whole number");
+  Row row;
+  Parameters& others = row.parameters;
+  if (field.name == "width") others.d = 1e300;  // what it may be depends on d: see require_diameters()
+  // Where most is looked at; what its plate may be: see require_plate(), and how many beads: require_lattice().
+  others.geometry = Geometry::vibrated_lattice;
+  others.rows = others.columns = 1;
+  others.alpha = others.A0 = 1.0;
+  others.periods = 10'000'000;
+  others.transient = 0;
+  set_number(field, row, value);
+  if (field.name == "N") others.geometry = Geometry::vibrated_column;
+  else give_beads(others);
+  const std::string why = why_invalid(row.parameters);
+  if (!why.empty()) throw SpecError(fmt::format("{}sweep.{}", place(*entry.file, entry.line), why));
+}
+
+double read_value(const Entry& entry, const Field& field) {
+  if (field.type == FieldType::flag) return as_truth(entry) ? 1.0 : 0.0;
+  if (const auto names = enumerators(field.type); !names.empty()) return static_cast<double>(as_one_of(entry, names));
+  const double value = as_number(entry);
+  require_allowed(entry, field, value);
+  return value;
+}
+
+std::vector<double> read_list(const Entry& entry, const Field& field) {
+  std::vector<double> values;
+  for (const Entry& element : elements(entry)) values.push_back(read_value(element, field));
+  if (values.empty()) refuse(entry, "an axis needs at least one value, this list is empty");
+  return values;
+}
+
+/// The keys of a range or a sample.
+struct Form {
+  Interval interval;
+  std::uint64_t count = 0;
+  std::optional<std::size_t> sample, scale;
+  std::uint64_t seed = 0;
+  Entry from, to, counted;
+};
+
+const Entry* find(const std::vector<Entry>& keys, std::string_view name) {
+  for (const Entry& key : keys)
+    if (key.name == name) return &key;
+  return nullptr;
+}
+
+const Entry& need(const Entry& entry, const std::vector<Entry>& keys, std::string_view name) {
+  if (const Entry* key = find(keys, name)) return *key;
+  refuse(entry, fmt::format("'{}' is missing: a range is {{ from, to, count, scale }}, a sample "
+                            "{{ sample, from, to, count, seed }}", name));
+}
+
+Form read_form(const Entry& entry, const Field& field) {
+  if (field.type == FieldType::flag) refuse(entry, "must be true or false, or a list of them");
+  if (!enumerators(field.type).empty())
+    refuse(entry, fmt::format("must be a name or a list of names: {}", alternatives(enumerators(field.type))));
+  const auto keys = entries(as_table(entry), *entry.file, entry.path);
+  for (const Entry& key : keys)
+    if (std::find(known_keys.begin(), known_keys.end(), key.name) == known_keys.end()) refuse_unknown(key, known_keys);
+
+  Form form;
+  form.from = need(entry, keys, "from");
+  form.to = need(entry, keys, "to");
+  form.counted = need(entry, keys, "count");
+  form.interval.from = read_value(form.from, field);
+  form.interval.to = read_value(form.to, field);
+  form.interval.whole = is_whole(field);
+  form.count = as_count(form.counted, 1, most_values);
+  if (const Entry* sample = find(keys, "sample")) form.sample = as_one_of(*sample, samples);
+  if (const Entry* scale = find(keys, "scale")) {
+    form.scale = as_one_of(*scale, scales);
+    if (form.sample && *form.sample < 2) refuse(*scale, "is said by the sample already: 'uniform' or 'log-uniform'");
+  }
+  if (const Entry* seed = find(keys, "seed")) {
+    if (!form.sample) refuse(*seed, "only a sample has a seed");
+    form.seed = as_count(*seed, 0, INT64_MAX);
+  }
+  form.interval.log = form.scale == 1u || form.sample == 1u;
+  return form;
+}
+
+void require_sensible(const Form& form) {
+  const auto& [from, to, log, whole] = form.interval;
+  for (const Entry* end : {&form.from, &form.to})
+    if (log && as_number(*end) <= 0.0) refuse_value(*end, "a logarithmic axis needs from > 0 and to > 0");
+  if (form.sample) {
+    if (from > to) refuse_value(form.from, fmt::format("must not be above 'to', which is {}", to));
+    return;
+  }
+  if (form.count == 1 && from != to)
+    refuse_value(form.counted, "both 'from' and 'to' are values of a range: at least 2");
+  if (whole && log && form.count > most_stored_values)
+    refuse_value(form.counted, fmt::format("at most {} for a logarithmic range of whole numbers", most_stored_values));
+  if (whole && !log && !has_whole_step(form.interval, form.count))
+    refuse_value(form.counted, fmt::format("{} values from {} to {} are not all whole numbers", form.count, from, to));
+}
+
+Sampling sampling_of(const Form& form, const Field& field, std::size_t sobol_dimension) {
+  const std::uint64_t key = stream_key(form.seed, field.name);
+  switch (*form.sample) {
+    case 2: return {SampleKind::sobol, form.seed == 0 ? 0 : key, sobol_dimension};
+    case 3: return {SampleKind::latin_hypercube, key, 0};
+    default: return {SampleKind::uniform, key, 0};
+  }
+}
+
+}  // namespace
+
+Setting read_setting(const Entry& entry, const Field& field, std::size_t sobol_dimension) {
+  if (entry.node->is_array()) return {entry, &field, Axis::list(read_list(entry, field)), true};
+  if (!entry.node->is_table()) return {entry, &field, Axis::list({read_value(entry, field)})};
+  const Form form = read_form(entry, field);
+  require_sensible(form);
+  if (!form.sample) return {entry, &field, Axis::range(form.interval, form.count), true};
+  const Sampling sampling = sampling_of(form, field, sobol_dimension);
+  return {entry, &field, Axis::sample(form.interval, form.count, sampling), true, sampling.kind == SampleKind::sobol};
+}
+
+}  // namespace sigmasweep::spec

@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sweep/spec/tables.hpp"
+
+namespace sigmasweep::spec {
+namespace {
+
+constexpr std::array<std::string_view, 10> keys{"integrators", "steps_per_tc", "tolerances", "tuples", "checks",
+                                               "repeats", "seconds", "repeat_seconds", "longest", "seed"};
+constexpr std::uint64_t most_scenes = 10'000, most_tuples = 1'000'000, most_repeats = 1000;
+
+double as_positive(const Entry& entry, double most) {
+  const double value = as_number(entry);
+  if (!(value > 0.0 && value <= most)) refuse_value(entry, fmt::format("must be a number > 0 and at most {}", most));
+  return value;
+}
+
+std::vector<double> as_ladder(const Entry& entry, double most) {
+  std::vector<double> ladder;
+  for (const Entry& element : elements(entry)) ladder.push_back(as_positive(element, most));
+  if (ladder.empty()) refuse(entry, "needs at least one value");
+  return ladder;
+}
+
+std::vector<Integrator> as_integrators(const Entry& entry) {
+  std::vector<Integrator> integrators;
+  for (const Entry& element : elements(entry)) {
+    integrators.push_back(static_cast<Integrator>(as_one_of(element, enumerators(FieldType::integrator))));
+    if (std::ranges::count(integrators, integrators.back()) > 1) refuse_value(element, "is there already");
+  }
+  if (integrators.empty()) refuse(entry, "needs at least one integrator");
+  return integrators;
+}
+
+/// The study says how scenes are computed, not the sweep.
+void require_scenes(const Entry& table, const Sweep& sweep) {
+  if (sweep.size() > most_scenes)
+    refuse(table, fmt::format("{} rows are as many scenes, at most {} are allowed", sweep.size(), most_scenes));
+  for (const std::string& axis : sweep.axes())
+    if (axis == "integrator" || axis == "steps_per_tc" || axis == "tolerance")
+      refuse(table, fmt::format("'{}' is an axis of [sweep], but [precision] has its own", axis));
+  for (std::uint64_t scene = 0; scene < sweep.size(); ++scene)
+    if (sweep.at(scene).method != Method::md)
+      refuse(table, "only soft spheres, method = 'md', have integrators to compare");
+}
+
+}  // namespace
+
+PrecisionSpec read_precision(const Entry& table, const Sweep& sweep) {
+  PrecisionSpec spec;
+  for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
+    if (entry.name == "integrators") spec.integrators = as_integrators(entry);
+    else if (entry.name == "steps_per_tc") spec.steps_per_tc = as_ladder(entry, 1e9);
+    else if (entry.name == "tolerances") spec.tolerances = as_ladder(entry, 1.0);
+    else if (entry.name == "tuples") spec.tuples = as_count(entry, 1, most_tuples);
+    else if (entry.name == "checks") spec.checks = as_count(entry, 1, most_tuples);
+    else if (entry.name == "repeats") spec.repeats = as_count(entry, 1, most_repeats);
+    else if (entry.name == "seconds") spec.seconds = as_positive(entry, 1e6);
+    else if (entry.name == "repeat_seconds") spec.repeat_seconds = as_positive(entry, 1e6);
+    else if (entry.name == "longest") spec.longest = as_positive(entry, 1e6);
+    else if (entry.name == "seed") spec.seed = as_count(entry, 0, INT64_MAX);
+    else refuse_unknown(entry, keys);
+  }
+  require_scenes(table, sweep);
+  return spec;
+}
+
+}  // namespace sigmasweep::spec

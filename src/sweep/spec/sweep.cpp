@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "sigmasweep/base/errors.hpp"
+#include "sweep/expression/where.hpp"
+#include "sweep/calibration_cache.hpp"
+#include "sweep/spec/check.hpp"
+#include "sweep/spec/representatives.hpp"
+#include "sweep/spec/tables.hpp"
+#include "sweep/spec/values.hpp"
+
+namespace sigmasweep::spec {
+namespace {
+
+constexpr std::uint64_t most_tuples = std::uint64_t{1} << 40;
+
+/// Each tuple is looked at when the spec is read: about ten seconds for 2^26 and a short expression.
+constexpr std::uint64_t most_filtered = std::uint64_t{1} << 26;
+constexpr std::size_t short_expression = 64;
+/// The same where a tuple takes 0.1 ms.
+constexpr std::uint64_t most_filtered_slowly = std::uint64_t{1} << 17;
+
+/// Keys of [sweep] that are no parameters.
+constexpr std::array<std::string_view, 2> other_keys{"zip", "where"};
+
+const Field* parameter(std::string_view name) {
+  for (const Field& field : parameter_fields())
+    if (field.name == name) return &field;
+  return nullptr;
+}
+
+void require_known(const std::vector<Entry>& keys) {
+  std::vector<std::string_view> known;
+  for (const Field& field : parameter_fields()) known.push_back(field.name);
+  known.insert(known.end(), other_keys.begin(), other_keys.end());
+  for (const Entry& key : keys)
+    if (std::find(known.begin(), known.end(), key.name) == known.end()) refuse_unknown(key, known);
+}
+
+std::vector<Zip> read_zips(const Entry& entry) {
+  std::vector<Zip> zips;
+  for (const Entry& group : elements(entry)) {
+    if (!group.node->is_array()) refuse_value(group, "must be a list of groups, such as [[\"v0\", \"tc\"]]");
+    Zip zip;
+    for (const Entry& element : elements(group)) {
+      const std::string name = as_string(element);
+      if (zip_of(zips, name) || std::find(zip.begin(), zip.end(), name) != zip.end())
+        refuse_value(element, "is zipped already");
+      zip.push_back(name);
+    }
+    if (zip.size() < 2) refuse(group, "a group needs at least two axes");
+    zips.push_back(std::move(zip));
+  }
+  return zips;
+}
+
+std::vector<Setting> read_settings(const std::vector<Entry>& keys, const std::vector<Zip>& zips) {
+  std::vector<Setting> settings;
+  std::map<const Zip*, std::size_t> sobol_axes;  // zipped Sobol axes are dimensions of one sequence
+  for (const Entry& key : keys) {
+    const Field* field = parameter(key.name);
+    if (field == nullptr) continue;
+    const Zip* zip = zip_of(zips, key.name);
+    settings.push_back(read_setting(key, *field, zip ? sobol_axes[zip] : 0));
+    if (settings.back().is_sobol) ++sobol_axes[zip];
+  }
+  return settings;
+}
+
+void require_zippable(const Entry& entry, const std::vector<Zip>& zips, const std::vector<Setting>& settings) {
+  std::vector<std::string_view> axes;
+  for (const Setting& setting : settings)
+    if (setting.is_axis) axes.push_back(setting.field->name);
+  for (const Zip& zip : zips) {
+    for (const std::string& name : zip)
+      if (std::find(axes.begin(), axes.end(), name) == axes.end())
+        refuse(entry, fmt::format("'{}' is not an axis; axes: {}", name, fmt::join(axes, ", ")));
+    const std::uint64_t length = find(settings, zip.front())->axis.size();
+    for (const std::string& name : zip)
+      if (const std::uint64_t other = find(settings, name)->axis.size(); other != length)
+        refuse(entry, fmt::format("zipped axes must be of equal length: '{}' has {} values, '{}' has {}", zip.front(),
+                                  length, name, other));
+  }
+}
+
+/// Axes in spec order; a zipped group stands where its first axis does.
+std::vector<Product::Group> groups_of(const std::vector<Setting>& settings, const std::vector<Zip>& zips) {
+  std::vector<Product::Group> groups;
+  std::map<const Zip*, std::size_t> group_of;
+  for (const Setting& setting : settings) {
+    if (!setting.is_axis) continue;
+    const Zip* zip = zip_of(zips, setting.field->name);
+    const bool begins = zip == nullptr || group_of.emplace(zip, groups.size()).second;
+    Product::Group& group = begins ? groups.emplace_back() : groups[group_of.at(zip)];
+    group.push_back({setting.field, setting.axis});
+  }
+  return groups;
+}
+
+void require_countable(const Entry& sweep, const std::vector<Product::Group>& groups) {
+  double tuples = 1.0;
+  for (const Product::Group& group : groups) tuples *= static_cast<double>(group.front().axis.size());
+  if (tuples > static_cast<double>(most_tuples))
+    refuse(sweep, fmt::format("the axes multiply to {:.{}} tuples, at most 2^40 = {} are allowed", tuples,
+                              tuples < 1e15 ? 16 : 3, most_tuples));
+}
+
+Parameters base_of(const std::vector<Setting>& settings) {
+  Row row;
+  const Setting* integrator = find(settings, "integrator");
+  if (integrator && integrator->axis.bounds().second > 0.0 && find(settings, "tolerance"))
+    row.parameters.steps_per_tc = 0.0;  // chosen by the tolerance, if none are given
+  static_assert(static_cast<int>(Integrator::exact) == 0);
+  for (const Setting& setting : settings) set_number(*setting.field, row, setting.axis[0]);
+  return row.parameters;
+}
+
+Selection select(const Entry& entry, const std::vector<Setting>& settings, const Product& product) {
+  const std::string expression = as_string(entry);
+  try {
+    Where where(expression, parameter_fields());
+    const std::uint64_t most = product.contacts().is_slow()
+        ? most_filtered_slowly
+        : most_filtered * short_expression / std::max(short_expression, expression.size());
+    if (product.size() > most)
+      refuse(entry, fmt::format("the axes multiply to {} tuples, with a 'where' of this length at most {} are allowed",
+                                product.size(), most));
+    Selection selection;
+    Row row;
+    for (std::uint64_t i = 0; i < product.size(); ++i) {
+      row.parameters = product.at(i);
+      const bool chosen = where(row);
+      if (chosen) require_soft_lattice(settings, row.parameters);
+      selection.push(chosen);
+    }
+    if (selection.size() == 0) refuse_value(entry, "no tuple satisfies it");
+    return selection;
+  } catch (const UsageError& error) {
+    refuse_value(entry, error.what());
+  }
+}
+
+}  // namespace
+
+Grid read_sweep(const Entry& sweep) {
+  const auto keys = entries(as_table(sweep), *sweep.file, sweep.path);
+  require_known(keys);
+  const Entry *zip = nullptr, *where = nullptr;
+  for (const Entry& key : keys) {
+    if (key.name == "zip") zip = &key;
+    if (key.name == "where") where = &key;
+  }
+  const std::vector<Zip> zips = zip ? read_zips(*zip) : std::vector<Zip>{};
+  const std::vector<Setting> settings = read_settings(keys, zips);
+  if (zip) require_zippable(*zip, zips, settings);
+  const Parameters base = base_of(settings);
+  auto groups = groups_of(settings, zips);
+  const std::vector<Parameters> kinds = kinds_of(base, groups);
+  if (!where)
+    for (const Parameters& kind : kinds) require_soft_lattice(settings, kind);
+  require_one_way(settings);
+  require_complete(sweep, settings, kinds);
+  require_used(settings, kinds);
+  require_diameters(settings, zips, base);
+  require_lattice(settings, zips, base);
+  require_plate(settings, zips, base);
+  require_finite_gap(settings, base);
+  require_countable(sweep, groups);
+
+  Grid grid{Product(base, find(settings, "sigma") ? Gap::sigma : Gap::s0, std::move(groups)), {}, {}, kinds, {}};
+  require_pairs(settings, grid.product);
+  for (const Setting& setting : settings) {
+    if (!setting.is_axis) continue;
+    grid.axes.push_back(setting.field);
+    grid.axis_sizes.push_back(setting.axis.size());
+  }
+  if (where) grid.selection = select(*where, settings, grid.product);
+  return grid;
+}
+
+}  // namespace sigmasweep::spec

@@ -1,0 +1,205 @@
+#include "sweep/spec/values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "sigmasweep/model/geometry.hpp"
+#include "sweep/calibration_cache.hpp"
+
+namespace sigmasweep::spec {
+namespace {
+
+constexpr std::uint64_t most_linear_pairs = 100'000;
+constexpr std::uint64_t most_in_a_group = 4096;
+
+/// The smallest and largest value of a parameter.
+std::array<double, 2> ends(const std::vector<Setting>& settings, std::string_view name, double otherwise) {
+  const Setting* setting = find(settings, name);
+  if (!setting) return {otherwise, otherwise};
+  const auto [low, high] = setting->axis.bounds();
+  return {low, high};
+}
+
+/// s0 or sigma, as given; s0 where neither is, as what vibrates may have it.
+const Field& gap_of(const std::vector<Setting>& settings) {
+  return *find_field(find(settings, "sigma") ? "sigma" : "s0");
+}
+
+Gap kind_of(const Field& gap) { return gap.name == "s0" ? Gap::s0 : Gap::sigma; }
+
+void set(Parameters& parameters, const Field& field, double value) {
+  Row row;
+  row.parameters = parameters;
+  set_number(field, row, value);
+  parameters = row.parameters;
+}
+
+/// Values of a long group that tell most about it: where an axis has its extremes.
+Product::Group extremes(const Product::Group& group) {
+  const std::uint64_t length = group.front().axis.size();
+  std::set<std::uint64_t> places{0, length - 1};
+  if (length <= most_in_a_group)
+    for (const Product::Member& member : group) {
+      std::uint64_t lowest = 0, highest = 0;
+      for (std::uint64_t k = 1; k < length; ++k) {
+        if (member.axis[k] < member.axis[lowest]) lowest = k;
+        if (member.axis[k] > member.axis[highest]) highest = k;
+      }
+      places.insert({lowest, highest});
+    }
+  Product::Group few;
+  for (const Product::Member& member : group) {
+    std::vector<double> values;
+    for (const std::uint64_t k : places) values.push_back(member.axis[k]);
+    few.push_back({member.field, Axis::list(std::move(values))});
+  }
+  return few;
+}
+
+bool has_names(const Product::Group& group) {
+  return std::ranges::any_of(group, [](const auto& member) { return !enumerators(member.field->type).empty(); });
+}
+
+double count(const std::vector<Product::Group>& groups) {
+  double all = 1.0;
+  for (const Product::Group& group : groups) all *= static_cast<double>(group.front().axis.size());
+  return all;
+}
+
+/// What decides about pairs, thinned until it is few enough to look at: groups of numbers first.
+std::vector<Product::Group> few_contacts(std::vector<Product::Group> few, std::uint64_t most_pairs) {
+  const auto most = static_cast<double>(most_pairs);
+  for (const bool names_too : {false, true})
+    for (Product::Group& group : few)
+      if (count(few) > most && (names_too || !has_names(group))) group = extremes(group);
+  return few;
+}
+
+}  // namespace
+
+void require_diameters(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base) {
+  const Setting *width = find(settings, "width"), *d = find(settings, "d");
+  if (!width) return;
+  const auto check = [&](double w, double diameter) {
+    Parameters p;
+    p.width = w;
+    p.d = diameter;
+    if (const std::string why = why_invalid(p); !why.empty())
+      refuse(width->entry, fmt::format("with d = {}: {}", diameter, why));
+  };
+  if (const Zip* zip = zip_of(zips, "width"); d && zip && zip == zip_of(zips, "d")) {
+    const std::uint64_t last = width->axis.size() - 1;
+    for (std::uint64_t k = 0; k < std::min(last, most_linear_pairs); ++k) check(width->axis[k], d->axis[k]);
+    return check(width->axis[last], d->axis[last]);
+  }
+  Parameters beads = base;
+  double smallest = ends(settings, "d", base.d)[0];
+  if (const Setting* material = find(settings, "material")) {
+    smallest = 1e300;
+    for (std::uint64_t k = 0; k < material->axis.size(); ++k) {
+      set(beads, *material->field, material->axis[k]);
+      beads.law = Law::hooke;  // the diameter is the same with any
+      give_material(beads);
+      smallest = std::min(smallest, beads.d);
+    }
+  }
+  check(width->axis.bounds().second, smallest);
+}
+
+void require_lattice(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base) {
+  const Setting *rows = find(settings, "rows"), *columns = find(settings, "columns");
+  if (!rows) return;
+  const auto check = [&](double high, double wide) {
+    Parameters p;
+    p.geometry = Geometry::lattice;
+    p.rows = static_cast<std::int64_t>(high);
+    p.columns = static_cast<std::int64_t>(wide);
+    give_beads(p);
+    if (const std::string why = why_invalid(p); !why.empty()) refuse((columns ? columns : rows)->entry, why);
+  };
+  if (const Zip* zip = zip_of(zips, "rows"); columns && zip && zip == zip_of(zips, "columns"))
+    for (std::uint64_t k = 0; k < std::min(rows->axis.size(), most_linear_pairs); ++k)
+      check(rows->axis[k], columns->axis[k]);
+  else
+    check(rows->axis.bounds().second, ends(settings, "columns", static_cast<double>(base.columns))[1]);
+}
+
+void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base) {
+  const Setting* given = find(settings, find(settings, "A0") ? "A0" : "alpha");
+  if (!given) return;
+  Parameters p;
+  p.geometry = Geometry::vibrated_column;
+  for (const double gravity : ends(settings, "gravity", base.gravity))
+    for (const double frequency : ends(settings, "frequency", base.frequency))
+      for (const double value : ends(settings, given->field->name, 0.0)) {
+        p.gravity = gravity;
+        p.frequency = frequency;
+        p.alpha = p.A0 = 0.0;
+        set(p, *given->field, value);
+        give_plate(p);
+        if (const std::string why = why_invalid(p); !why.empty())
+          refuse(given->entry, fmt::format("with gravity = {}, frequency = {} and {} = {}: {}", gravity, frequency,
+                                           given->field->name, value, why));
+      }
+  const Setting *periods = find(settings, "periods"), *transient = find(settings, "transient");
+  const auto check = [&](double all, double first) {
+    if (first >= all)
+      refuse((transient ? transient : periods)->entry,
+             fmt::format("of {} periods all belong to the transient of {}: it must be less", all, first));
+  };
+  if (const Zip* zip = zip_of(zips, "periods"); transient && zip && zip == zip_of(zips, "transient"))
+    for (std::uint64_t k = 0; k < std::min(periods->axis.size(), most_linear_pairs); ++k)
+      check(periods->axis[k], transient->axis[k]);
+  else
+    check(ends(settings, "periods", static_cast<double>(base.periods))[0],
+          ends(settings, "transient", static_cast<double>(base.transient))[1]);
+}
+
+void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base) {
+  if (find(settings, "K_over_m") || find(settings, "material")) return;
+  // sigma and s0 are monotonic in v0, tc and each other: the corners of the box that the axes span are the extremes.
+  const Setting* gap = find(settings, gap_of(settings).name);
+  if (!gap) return;
+  const Setting& given = *gap;
+  for (const double v0 : ends(settings, "v0", base.v0))
+    for (const double tc : ends(settings, "tc", base.tc))
+      for (const double value : ends(settings, given.field->name, 0.0)) {
+        Parameters p;
+        p.v0 = v0;
+        p.tc = tc;
+        set(p, *given.field, value);
+        if (const std::string why = why_invalid(complete(p, kind_of(*given.field))); !why.empty())
+          refuse(given.entry,
+                 fmt::format("with v0 = {}, tc = {} and {} = {}: {}", v0, tc, given.field->name, value, why));
+      }
+}
+
+void require_pairs(const std::vector<Setting>& settings, const Product& product) {
+  const Setting* stiffness = find(settings, "K_over_m");
+  if (!stiffness) stiffness = find(settings, "material");
+  if (!stiffness) return;
+  const Field& gap = gap_of(settings);
+  const bool linear = !find(settings, "law") || find(settings, "law")->axis.bounds().second == 0.0;
+  static_assert(static_cast<int>(Law::hooke) == 0);
+  const Parameters& base = product.base();
+  const auto few = few_contacts(deciding_contacts(base, product.groups()),
+                                linear ? most_linear_pairs : Contacts::most_remembered);
+  for (std::uint64_t i = 0; i < size_of(few); ++i) {
+    Parameters pair = values_at(base, few, i);
+    product.contacts().give(pair);
+    for (const double value : ends(settings, gap.name, 0.0)) {
+      Parameters p = pair;
+      p.width = 0.0;  // looked at on its own, as is the plate
+      p.geometry = Geometry::column;
+      set(p, gap, value);
+      give_gap(p, kind_of(gap));
+      if (const std::string why = why_invalid(p); !why.empty())
+        refuse(stiffness->entry, fmt::format("with v0 = {} and {} = {}: {}", p.v0, gap.name, value, why));
+    }
+  }
+}
+
+}  // namespace sigmasweep::spec

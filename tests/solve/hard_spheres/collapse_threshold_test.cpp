@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "sigmasweep/model/names.hpp"
+#include "solve/hard_spheres/collision.hpp"
+
+/// The largest restitution at which a touching column collapses.
+namespace sigmasweep {
+namespace {
+
+struct Threshold {
+  std::int64_t N;
+  double matched, paper;  ///< by scans in 100 digits; N = 2 and 3 matched: 3 - 2 sqrt 2 and 1/3
+};
+
+// For N >= 4 collapse comes in windows, the last of which a scan may miss: hence some digits only.
+constexpr Threshold thresholds[] = {{2, 0.1715729, 0.1116744}, {3, 0.3333333, 0.2958198}, {4, 0.45302, 0.42341},
+                                    {5, 0.53253, 0.51186},     {6, 0.59266, 0.57580},     {8, 0.67375, 0.66440},
+                                    {10, 0.72532, 0.71875}};
+
+/// With speeds followed down to 1e-290 instead of 1e-16.
+bool collapses_in_the_end(std::int64_t N, double epsilon, Wall wall) {
+  Parameters p;
+  p.N = N;
+  p.epsilon = epsilon;
+  p.wall = wall;
+  const HardSphereOptions options{.settle = 0.0, .foresee_collapse = false, .collapsed_speed = 1e-290};
+  return hard_sphere_collision(reduced_column<double>(complete(p, Gap::s0)), options).status == Status::collapsed;
+}
+
+bool collapses(std::int64_t N, double epsilon, Wall wall) {
+  Parameters p;
+  p.method = Method::ed;
+  p.N = N;
+  p.epsilon = epsilon;
+  p.wall = wall;
+  return simulate_hard_spheres(complete(p, Gap::s0)).status == Status::collapsed;
+}
+
+/// Where collapse ends, between a restitution at which there is and one at which there is none.
+template <class Collapses>
+double bisected(Collapses collapses, std::int64_t N, double below, double above, Wall wall) {
+  while (above - below > 1e-7) {
+    const double middle = 0.5 * (below + above);
+    (collapses(N, middle, wall) ? below : above) = middle;
+  }
+  return below;
+}
+
+TEST(CollapseBisected, ComesToTheThreshold) {
+  for (const Threshold& t : thresholds)
+    for (const Wall wall : {Wall::matched, Wall::paper}) {
+      SCOPED_TRACE(testing::Message() << "N=" << t.N << " " << name_of(wall));
+      const double expected = wall == Wall::matched ? t.matched : t.paper;
+      ASSERT_TRUE(collapses(t.N, 0.9 * expected, wall));
+      ASSERT_FALSE(collapses(t.N, 1.1 * expected, wall));
+      // Speeds below 1e-16 count as none. At N = 2 they fall to eps^(pi/sqrt(2.8 x)) before the beads part a fraction x
+      // above the threshold, to 1e-16 at x = 0.8 %; with more beads windows add to that.
+      EXPECT_NEAR(bisected(collapses, t.N, 0.9 * expected, 1.1 * expected, wall), expected, 0.013 * expected);
+    }
+}
+
+// Closed forms for the matched wall, 100 digits for the paper's. A fraction x above the threshold speeds fall to
+// eps^(pi/sqrt(2.8 x)) before two beads part: to 1e-290 at x = 2e-5.
+TEST(CollapseBisected, TwoAndThreeBeads) {
+  EXPECT_NEAR(bisected(collapses_in_the_end, 2, 0.15, 0.2, Wall::matched), 3.0 - 2.0 * std::sqrt(2.0), 1e-5);
+  EXPECT_NEAR(bisected(collapses_in_the_end, 3, 0.3, 0.36, Wall::matched), 1.0 / 3.0, 5e-5);
+  EXPECT_NEAR(bisected(collapses_in_the_end, 2, 0.1, 0.12, Wall::paper), 0.1116744346, 1e-5);
+}
+
+}  // namespace
+}  // namespace sigmasweep

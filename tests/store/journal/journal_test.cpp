@@ -1,0 +1,264 @@
+#include "store/journal/journal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+#include "sigmasweep/base/errors.hpp"
+#include "support/store_samples.hpp"
+
+namespace sigmasweep {
+namespace {
+
+using samples::bits;
+using samples::bytes_of;
+using samples::message_of;
+using samples::put_bytes;
+using samples::row;
+
+constexpr JournalIdentity identity{.spec_hash = 0x1234567890abcdef, .physics_version = 7, .rows = 5000};
+constexpr std::size_t header_size = 56;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+class JournalTest : public testing::Test {
+ protected:
+  samples::Directory directory;
+  std::string table = directory.file("t.h5"), path = directory.file("t.h5.journal");
+
+  void write(std::initializer_list<std::uint64_t> indices) {
+    Journal journal(table, identity, true);
+    for (const auto index : indices) journal.append(row(index));
+  }
+  std::size_t record_size() {
+    write({0});
+    return bytes_of(path).size() - header_size;
+  }
+};
+
+TEST_F(JournalTest, KeepsEveryBitOfEveryMember) {
+  {
+    Journal journal(table, identity, false);
+    EXPECT_TRUE(journal.recovered().empty());
+    for (std::uint64_t i = 0; i < identity.rows; ++i) journal.append(row(identity.rows - 1 - i));
+  }
+  const Journal journal(table, identity, false);
+  ASSERT_EQ(journal.recovered().size(), identity.rows);
+  EXPECT_EQ(journal.dropped(), 0u);
+  for (std::uint64_t i = 0; i < identity.rows; ++i) ASSERT_EQ(bits(journal.recovered()[i]), bits(row(i))) << i;
+}
+
+TEST_F(JournalTest, EqualRowsAreEqualBytesWhateverIsInTheirPadding) {
+  std::string written[2];
+  for (const int padding : {0, 1}) {
+    alignas(Row) std::byte memory[sizeof(Row)];
+    std::memset(memory, padding * 0xff, sizeof memory);
+    Row* const padded = new (memory) Row;
+    const Row wanted = row(3);
+    padded->index = wanted.index;  // member by member, so that the padding stays
+    Parameters& p = padded->parameters;
+    const Parameters& q = wanted.parameters;
+    p.v0 = q.v0, p.tc = q.tc, p.s0 = q.s0, p.sigma = q.sigma, p.epsilon = q.epsilon, p.d = q.d;
+    p.steps_per_tc = q.steps_per_tc, p.tolerance = q.tolerance, p.N = q.N;
+    p.method = q.method, p.wall = q.wall, p.integrator = q.integrator;
+    Journal(table, identity, true).append(*padded);
+    written[padding] = bytes_of(path);
+  }
+  EXPECT_EQ(written[0], written[1]);
+}
+
+TEST_F(JournalTest, TheLastRecordOfAnIndexWins) {
+  {
+    Journal journal(table, identity, false);
+    std::uint64_t variant = 0;
+    for (const std::uint64_t index : {9, 4, 9, 2, 4, 9}) journal.append(row(index, ++variant));
+  }
+  const Journal journal(table, identity, false);
+  ASSERT_EQ(journal.recovered().size(), 3u);
+  EXPECT_EQ(bits(journal.recovered()[0]), bits(row(2, 4)));
+  EXPECT_EQ(bits(journal.recovered()[1]), bits(row(4, 5)));
+  EXPECT_EQ(bits(journal.recovered()[2]), bits(row(9, 6)));
+}
+
+TEST_F(JournalTest, GoesOnAfterATailTornAtAnyByte) {
+  const std::size_t size = record_size();
+  write({10, 11, 12});
+  const std::string whole = bytes_of(path);
+  ASSERT_EQ(whole.size(), header_size + 3 * size);
+  for (std::size_t left = 0; left < size; ++left) {
+    SCOPED_TRACE(left);
+    put_bytes(path, whole.substr(0, header_size + 2 * size + left));
+    {
+      Journal journal(table, identity, false);
+      ASSERT_EQ(journal.recovered().size(), 2u);
+      EXPECT_EQ(bits(journal.recovered()[1]), bits(row(11)));
+      EXPECT_EQ(journal.dropped(), left == 0 ? 0u : 1u);
+      journal.append(row(12));
+    }
+    ASSERT_EQ(bytes_of(path), whole);
+  }
+}
+
+TEST_F(JournalTest, CutsATailOfZeros) {  // what a crashed machine may leave
+  write({10, 11, 12});
+  const std::string whole = bytes_of(path);
+  put_bytes(path, whole + std::string(100000, '\0'));
+  EXPECT_EQ(Journal(table, identity, false).recovered().size(), 3u);
+  EXPECT_EQ(bytes_of(path), whole);
+}
+
+#ifdef SIGMASWEEP_SANITIZED  // fifty times as slow
+constexpr std::size_t next_bit = 11;
+#else
+constexpr std::size_t next_bit = 1;
+#endif
+
+TEST_F(JournalTest, AFlippedBitLosesItsRecordAndNoOther) {
+  const std::size_t size = record_size();
+  write({20, 21, 22, 23});
+  const std::string whole = bytes_of(path);
+  for (std::size_t bit = 8 * header_size; bit < 8 * whole.size(); bit += next_bit) {
+    std::string damaged = whole;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    put_bytes(path, damaged);
+    const std::uint64_t lost = 20 + (bit / 8 - header_size) / size;
+    const Journal journal(table, identity, false);
+    ASSERT_EQ(journal.dropped(), 1u) << bit;
+    ASSERT_EQ(journal.recovered().size(), 3u) << bit;
+    for (const Row& found : journal.recovered()) {
+      ASSERT_NE(found.index, lost) << bit;
+      ASSERT_EQ(bits(found), bits(row(found.index))) << bit;
+    }
+  }
+}
+
+TEST_F(JournalTest, AppendsBehindADamagedRecord) {
+  const std::size_t size = record_size();
+  write({20, 21, 22});
+  std::string damaged = bytes_of(path);
+  damaged[header_size + size + 5] ^= 1;
+  put_bytes(path, damaged);
+  {
+    Journal journal(table, identity, false);
+    journal.append(row(21));
+  }
+  EXPECT_EQ(Journal(table, identity, false).recovered().size(), 3u);
+}
+
+TEST_F(JournalTest, ARecordIsGoodOnlyAtItsOwnPlace) {
+  const std::size_t size = record_size();
+  write({20, 21, 22});
+  std::string swapped = bytes_of(path);
+  std::swap_ranges(swapped.begin() + header_size, swapped.begin() + header_size + static_cast<long>(size),
+                   swapped.begin() + header_size + static_cast<long>(size));
+  put_bytes(path, swapped);
+  const Journal journal(table, identity, false);
+  ASSERT_EQ(journal.recovered().size(), 1u);
+  EXPECT_EQ(journal.recovered()[0].index, 22u);
+}
+
+TEST_F(JournalTest, AFlippedBitInTheHeaderStopsEverything) {
+  write({20, 21});
+  const std::string whole = bytes_of(path);
+  for (std::size_t bit = 0; bit < 8 * header_size; ++bit) {
+    std::string damaged = whole;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    put_bytes(path, damaged);
+    ASSERT_THROW(Journal(table, identity, false), OutputError) << bit;
+    ASSERT_EQ(bytes_of(path), damaged) << bit;
+  }
+}
+
+TEST_F(JournalTest, LeavesAForeignFileAlone) {
+  for (const std::string& foreign : {std::string(), std::string("hello"), std::string(4096, 'x')}) {
+    put_bytes(path, foreign);
+    const std::string message = message_of<OutputError>([&] { Journal(table, identity, false); });
+    EXPECT_TRUE(contains(message, path) && contains(message, "not a journal")) << message;
+    EXPECT_TRUE(contains(message, "--fresh")) << message;
+    EXPECT_EQ(bytes_of(path), foreign);
+  }
+  EXPECT_TRUE(Journal(table, identity, true).recovered().empty());
+  EXPECT_TRUE(Journal(table, identity, false).recovered().empty());
+}
+
+TEST_F(JournalTest, LeavesADirectoryOfItsNameAlone) {
+  std::filesystem::create_directory(path);
+  EXPECT_THROW(Journal(table, identity, false), OutputError);
+  EXPECT_THROW(Journal(table, identity, true), OutputError);
+  EXPECT_TRUE(std::filesystem::is_directory(path));
+  EXPECT_EQ(directory.names(), std::vector<std::string>{"t.h5.journal"});
+}
+
+TEST_F(JournalTest, LeavesAnotherSweepsJournalAlone) {
+  write({1, 2, 3});
+  const std::string before = bytes_of(path);
+  JournalIdentity spec = identity, physics = identity, size = identity;
+  ++spec.spec_hash;
+  ++physics.physics_version;
+  ++size.rows;
+  const auto refused = [&](const JournalIdentity& other) {
+    return message_of<OutputError>([&] { Journal(table, other, false); });
+  };
+  EXPECT_TRUE(contains(refused(spec), "another sweep spec"));
+  EXPECT_TRUE(contains(refused(physics), "physics version 7, this program has 8"));
+  EXPECT_TRUE(contains(refused(size), "5000 rows, this one has 5001"));
+  EXPECT_TRUE(contains(refused(spec), "--fresh"));
+  EXPECT_EQ(bytes_of(path), before);
+  EXPECT_EQ(Journal(table, identity, false).recovered().size(), 3u);
+}
+
+TEST_F(JournalTest, FreshStartsAgain) {
+  write({1, 2, 3});
+  EXPECT_TRUE(Journal(table, identity, true).recovered().empty());
+  EXPECT_EQ(bytes_of(path).size(), header_size);
+}
+
+TEST_F(JournalTest, IsNotThereBeforeItBegins) {
+  {
+    Journal journal(table, identity, false);
+    EXPECT_FALSE(journal.is_there());
+  }
+  EXPECT_TRUE(directory.names().empty());
+  {
+    Journal journal(table, identity, false);
+    journal.begin({row(3), row(4)});
+    EXPECT_TRUE(journal.is_there());
+    journal.begin({row(5)});
+  }
+  const Journal journal(table, identity, false);
+  EXPECT_TRUE(journal.is_there());
+  ASSERT_EQ(journal.recovered().size(), 3u);
+  for (std::uint64_t i = 0; i < 3; ++i) EXPECT_EQ(bits(journal.recovered()[i]), bits(row(3 + i)));
+  EXPECT_EQ(journal.dropped(), 0u);
+}
+
+TEST_F(JournalTest, LeavesNothingBehindOnceRemoved) {
+  {
+    Journal journal(table, identity, false);
+    journal.append(row(0));
+    journal.sync();
+    journal.remove();
+    EXPECT_THROW(journal.append(row(1)), IoError);
+  }
+  EXPECT_TRUE(directory.names().empty());
+}
+
+TEST_F(JournalTest, CanBeMoved) {
+  Journal journal(table, identity, false);
+  journal.append(row(0));
+  Journal moved = std::move(journal);
+  moved.append(row(1));
+  moved = Journal(directory.file("other.h5"), identity, false);
+  EXPECT_EQ(Journal(table, identity, false).recovered().size(), 2u);
+}
+
+TEST_F(JournalTest, SaysWhereItCannotBeMade) {
+  const std::string nowhere = directory.file("missing/t.h5");
+  const std::string message = message_of<OutputError>([&] { Journal(nowhere, identity, false); });
+  EXPECT_TRUE(contains(message, nowhere) && contains(message, "No such file or directory")) << message;
+}
+
+}  // namespace
+}  // namespace sigmasweep
