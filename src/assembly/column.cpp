@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "base/quad.hpp"
+#include "base/random.hpp"
 #include "sigmasweep/contact/calibration.hpp"
 #include "sigmasweep/contact/law.hpp"
-#include "base/random.hpp"
-#include "base/quad.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -109,10 +109,14 @@ Column<Real> column(const Parameters& p, Real gap, Real speed, Real tc) {
 }  // namespace
 
 template <class Real>
-Column<Real> reduced_column(const Parameters& p) { return column<Real>(p, Real(p.sigma), Real(1), Real(1)); }
+Column<Real> reduced_column(const Parameters& p) {
+  return column<Real>(p, Real(p.sigma), Real(1), Real(1));
+}
 
 template <class Real>
-Column<Real> si_column(const Parameters& p) { return column<Real>(p, Real(p.s0), Real(p.v0), Real(p.tc)); }
+Column<Real> si_column(const Parameters& p) {
+  return column<Real>(p, Real(p.s0), Real(p.v0), Real(p.tc));
+}
 
 template Column<double> reduced_column(const Parameters&);
 template Column<long double> reduced_column(const Parameters&);

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "sigmasweep/model/result.hpp"
 #include "sigmasweep/contact/law.hpp"
 #include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 
 /// The problem that the solvers solve, in any consistent system of units with bead mass 1.
 namespace sigmasweep {
@@ -18,16 +18,16 @@ namespace sigmasweep {
 template <class Real>
 struct Column {
   std::int64_t N = 1;
-  Real gap{};      ///< s0
-  Real speed{};    ///< v0
-  Real tc{};       ///< pair contact time, Eq. (6) or (A2)
-  Real eps{};      ///< pair restitution, Eq. (7)
-  Real eps_wall{}; ///< wall restitution, for hard spheres
-  Real K{}, C{};             ///< pair of mean beads: spring K/m and dashpot D_n, both over the mean bead's mass
-  Real K_wall{}, C_wall{};   ///< wall and mean bead
-  Exponents exponents{};     ///< beta, gamma; the linear law has 0, 0
-  std::vector<Real> mass;    ///< of beads 1..N over the mean bead's; empty where all are equal
-  std::vector<Real> gaps;    ///< initial, contact by contact; empty where all are `gap`
+  Real gap{};               ///< s0
+  Real speed{};             ///< v0
+  Real tc{};                ///< pair contact time, Eq. (6) or (A2)
+  Real eps{};               ///< pair restitution, Eq. (7)
+  Real eps_wall{};          ///< wall restitution, for hard spheres
+  Real K{}, C{};            ///< pair of mean beads: spring K/m and dashpot D_n, both over the mean bead's mass
+  Real K_wall{}, C_wall{};  ///< wall and mean bead
+  Exponents exponents{};    ///< beta, gamma; the linear law has 0, 0
+  std::vector<Real> mass;   ///< of beads 1..N over the mean bead's; empty where all are equal
+  std::vector<Real> gaps;   ///< initial, contact by contact; empty where all are `gap`
 
   bool is_uniform() const { return mass.empty(); }
   std::size_t contacts() const { return static_cast<std::size_t>(N); }

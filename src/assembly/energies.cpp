@@ -10,7 +10,9 @@ namespace sigmasweep {
 namespace {
 
 template <class Real>
-Real mass_of(std::span<const Real> mass, std::size_t bead) { return mass.empty() ? Real(1) : mass[bead]; }
+Real mass_of(std::span<const Real> mass, std::size_t bead) {
+  return mass.empty() ? Real(1) : mass[bead];
+}
 
 template <class Real>
 Real total(std::span<const Real> mass, std::size_t beads) {
@@ -82,9 +84,9 @@ Real residual_dissipation(std::span<const Real> velocity, Real speed, std::span<
   return lost / ((sqrt(lost + kept) + sqrt(kept)) * sqrt(total(mass, velocity.size())) * speed);
 }
 
-#define SIGMASWEEP_INSTANTIATE(Real)                                                                       \
-  template Energies<Real> energies(std::span<const Real> velocity, Real speed, std::span<const Real>);     \
-  template Projection<Real> project_on_separated(std::span<const Real> velocity, std::span<const Real>);  \
+#define SIGMASWEEP_INSTANTIATE(Real)                                                                     \
+  template Energies<Real> energies(std::span<const Real> velocity, Real speed, std::span<const Real>);   \
+  template Projection<Real> project_on_separated(std::span<const Real> velocity, std::span<const Real>); \
   template Real residual_dissipation(std::span<const Real> velocity, Real speed, std::span<const Real>);
 SIGMASWEEP_INSTANTIATE(double)
 SIGMASWEEP_INSTANTIATE(long double)

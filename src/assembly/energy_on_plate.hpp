@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <span>
 
-#include "assembly/ground.hpp"
 #include "assembly/column.hpp"
+#include "assembly/ground.hpp"
 
 namespace sigmasweep {
 

@@ -35,9 +35,9 @@ ContactState<double> Plate::flight(const ContactState<double>& entry, double t, 
   const double less_one = -2.0 * half * half;  // cos(angle) - 1
   const double sine = std::sin(phase), cosine = std::cos(phase);
   const Sine turned = sine_of(angle);
-  return {entry.x + entry.u * elapsed + 0.5 * g * elapsed * elapsed +
-              A0 * (sine * less_one + cosine * turned.less_angle),
-          entry.u + g * elapsed + A0 * omega * (cosine * less_one - sine * turned.whole)};
+  return {
+      entry.x + entry.u * elapsed + 0.5 * g * elapsed * elapsed + A0 * (sine * less_one + cosine * turned.less_angle),
+      entry.u + g * elapsed + A0 * omega * (cosine * less_one - sine * turned.whole)};
 }
 
 double Plate::landing(ContactState<double> entry, double t) const {

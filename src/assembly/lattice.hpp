@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "sigmasweep/model/result.hpp"
-#include "sigmasweep/model/parameters.hpp"
-#include "base/vec2.hpp"
 #include "assembly/column.hpp"
+#include "base/vec2.hpp"
 #include "sigmasweep/base/budget.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 
 /// Two dimensions: a triangular lattice of discs that flies at a wall (Sec. IV C), or lies on a plate that vibrates
 /// (Sec. II A).
@@ -23,13 +23,13 @@ namespace sigmasweep {
 /// equal beads is the m_i of the paper; at a wall -D_t m_i v_t.
 template <class Real>
 struct Lattice {
-  Column<Real> beads;    ///< N, gap, speed, tc, laws and masses; its gaps are not used
+  Column<Real> beads;  ///< N, gap, speed, tc, laws and masses; its gaps are not used
   std::int64_t rows = 1, columns = 1;
-  Real d{};              ///< mean diameter
-  Real largest{};        ///< the largest diameter that `width` allows
-  Real a{};              ///< lattice constant: largest + gap
+  Real d{};        ///< mean diameter
+  Real largest{};  ///< the largest diameter that `width` allows
+  Real a{};        ///< lattice constant: largest + gap
   Real D_t{};
-  bool periodic = true;  ///< to the left and right; else there are walls
+  bool periodic = true;           ///< to the left and right; else there are walls
   std::vector<Vec2<Real>> shift;  ///< of the beads from their sites at the start; empty: none
 
   std::size_t count() const { return static_cast<std::size_t>(rows * columns); }
@@ -80,12 +80,13 @@ struct LatticeOutcome {
   Real remainder{};            ///< End::settled: estimate of what later contacts can still change eps_eff by
   Waits<Real> waits;           ///< End::quiet, from event to event
   std::uint64_t contacts = 0;  ///< contacts closed and opened again
-  Real contact_time{};         ///< how long they were closed, all together; from event to event only, until the last one
+  Real contact_time{};  ///< how long they were closed, all together; from event to event only, until the last one
   End end = End::none;
   Status status = Status::ok;
 };
 
-/// eps_eff and so on of final velocities; E_r is relative to the velocity of the centre of mass, v_cm its vertical part.
+/// eps_eff and so on of final velocities; E_r is relative to the velocity of the centre of mass, v_cm its vertical
+/// part.
 template <class Real>
 Energies<Real> energies(const Lattice<Real>& lattice, const std::vector<Vec2<Real>>& velocity);
 
@@ -93,7 +94,8 @@ struct LatticeOptions {
   double accuracy = 1e-12;  ///< local error of a step, in units of the speed and of speed times tc
   double settle = 1e-13;    ///< stop once what approaches (without a gap) or creeps can hardly change eps_eff by more
   std::uint64_t event_limit = 0;  ///< contacts before giving up; 0: 100,000 + 1,000 N
-  /// Beads and contacts moved in stages of steps; 0: 1e10 + 2e7 N, some minutes. With fixed steps beads times steps; 1e10.
+  /// Beads and contacts moved in stages of steps; 0: 1e10 + 2e7 N, some minutes. With fixed steps beads times steps;
+  /// 1e10.
   std::uint64_t work_limit = 0;
   Patience* patience = nullptr;
 };

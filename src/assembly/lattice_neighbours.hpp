@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "numerics/hermite.hpp"
-#include "base/vec2.hpp"
 #include "assembly/lattice.hpp"
+#include "base/vec2.hpp"
+#include "numerics/hermite.hpp"
 
 namespace sigmasweep {
 
@@ -70,8 +70,8 @@ struct Bond {
 template <class Real>
 struct Neighbour {
   static constexpr std::uint32_t bottom = UINT32_MAX, left = UINT32_MAX - 1, right = UINT32_MAX - 2;
-  std::uint32_t bead = 0;   ///< or a wall
-  std::int32_t image = 0;   ///< how many containers to the right of its own place it is
+  std::uint32_t bead = 0;  ///< or a wall
+  std::int32_t image = 0;  ///< how many containers to the right of its own place it is
   Bond<Real> bond;
   bool is_wall() const { return bead >= right; }
   bool is(std::uint32_t other, std::int32_t its_image) const { return bead == other && image == its_image; }
@@ -111,7 +111,7 @@ class LatticeNeighbours {
 
   const Lattice<Real>& lattice_;
   Real width_;
-  Real reach_;            ///< distance of centres up to which beads are on each other's lists
+  Real reach_;  ///< distance of centres up to which beads are on each other's lists
   Real leeway_;
   std::int64_t columns_;  ///< of cells of at least the reach, in the container's width
   std::vector<Vec2<Real>> site_, anchor_;

@@ -13,8 +13,12 @@ constexpr auto between_questions = std::chrono::milliseconds(20);
 }  // namespace
 
 Patience::Patience(double limit, std::function<bool()> stop)
-    : left_(work_between_looks), limit_(limit), cpu_start_(thread_seconds()), start_(Clock::now()),
-      next_question_(start_ + between_questions), stop_(std::move(stop)) {}
+    : left_(work_between_looks),
+      limit_(limit),
+      cpu_start_(thread_seconds()),
+      start_(Clock::now()),
+      next_question_(start_ + between_questions),
+      stop_(std::move(stop)) {}
 
 bool Patience::look() {
   if (was_over()) return true;

@@ -32,8 +32,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 }
 
 bool begins(std::string_view name, std::string_view known) {
-  return name.size() >= 3 && name.size() <= known.size() &&
-         std::equal(name.begin(), name.end(), known.begin(), same);
+  return name.size() >= 3 && name.size() <= known.size() && std::equal(name.begin(), name.end(), known.begin(), same);
 }
 
 }  // namespace

@@ -88,8 +88,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("-o,--output", options->output, "The table; default: the spec's name with .h5, here")
       ->type_name("TABLE.h5");
   command->add_flag("--fresh", options->fresh, "Start again, whatever is there");
-  command->add_flag("--retry", options->retry,
-                    "Compute the rows again that were given up: time_limit, quarantined");
+  command->add_flag("--retry", options->retry, "Compute the rows again that were given up: time_limit, quarantined");
   command->add_flag("-q,--quiet", options->quiet, "Neither progress nor summary");
   add_parsed(*command, "--max-time", "Stop on purpose (exit code 75) to be through by then: seconds or [D-]HH:MM:SS",
              parse_duration, options->max_seconds)
@@ -142,7 +141,8 @@ void add_precision(CLI::App& app, Invocation& invocation) {
   command->add_option("--repeats", options->repeats, "Timings, of which the smallest counts, instead of the spec's")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000}).description(""))
       ->type_name("COUNT");
-  command->add_flag_callback("--no-plots", [options] { options->plots = false; }, "No pictures");
+  command->add_flag_callback(
+      "--no-plots", [options] { options->plots = false; }, "No pictures");
   command->add_flag("-q,--quiet", options->quiet, "No progress");
   command->footer(
       "\nPrints a table and writes it to TABLE.h5, with TABLE.svg and TABLE.png beside it. Under mpirun each scene is\n"
@@ -161,7 +161,8 @@ void add_stability(CLI::App& app, Invocation& invocation) {
   command->add_option("-o,--output", options->run.output, "The table; default: the spec's name with .h5, here")
       ->type_name("TABLE.h5");
   command->add_flag("--fresh", options->run.fresh, "Start again, whatever is there");
-  command->add_flag_callback("--no-plots", [options] { options->plots = false; }, "No pictures");
+  command->add_flag_callback(
+      "--no-plots", [options] { options->plots = false; }, "No pictures");
   command->add_flag("-q,--quiet", options->run.quiet, "Neither progress nor summary");
   command->footer(
       "\nRuns the sweep, or goes on with it, as 'run' does, then prints what was seen beside what theory predicts,\n"

@@ -28,7 +28,7 @@ int merge(const MergeOptions& options);
 int merge_on_one_rank(int& argc, char**& argv, const MergeOptions& options);
 
 struct PrecisionOptions {
-  std::string spec, output;  ///< output: the table; empty: default_table(spec)
+  std::string spec, output;                      ///< output: the table; empty: default_table(spec)
   std::optional<std::uint64_t> tuples, repeats;  ///< instead of the spec's
   bool quiet = false, plots = true;
 };

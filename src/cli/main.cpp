@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/command_line.hpp"
 #include "base/exit_codes.hpp"
+#include "base/spelling.hpp"
+#include "cli/command_line.hpp"
 #include "cli/version.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "base/spelling.hpp"
 
 namespace {
 

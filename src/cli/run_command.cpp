@@ -5,8 +5,8 @@
 #include <exception>
 #include <thread>
 
-#include "cli/commands.hpp"
 #include "base/exit_codes.hpp"
+#include "cli/commands.hpp"
 #include "mpi/on_root.hpp"
 #include "mpi/world.hpp"
 #include "sigmasweep/base/errors.hpp"

@@ -11,7 +11,9 @@ namespace sigmasweep {
 namespace {
 
 template <class Real>
-Real pi() { return boost::math::constants::pi<Real>(); }
+Real pi() {
+  return boost::math::constants::pi<Real>();
+}
 
 /// L = -ln eps; fabs, so that eps = 1 gives +0.
 template <class Real>
@@ -44,7 +46,9 @@ Real restitution(const Oscillator<Real>& pair) {
 }
 
 template <class Real>
-Oscillator<Real> wall_of(const Oscillator<Real>& pair) { return {pair.mu / 2, pair.omega0_2 / 2}; }
+Oscillator<Real> wall_of(const Oscillator<Real>& pair) {
+  return {pair.mu / 2, pair.omega0_2 / 2};
+}
 
 template <class Real>
 Real wall_restitution(Real eps) {
@@ -53,11 +57,11 @@ Real wall_restitution(Real eps) {
   return exp(-pi<Real>() * L / sqrt(2 * pi<Real>() * pi<Real>() + L * L));
 }
 
-#define SIGMASWEEP_CALIBRATION(Real)                              \
-  template Oscillator<Real> oscillator(Real, Real);               \
-  template Real contact_time(const Oscillator<Real>&);            \
-  template Real restitution(const Oscillator<Real>&);             \
-  template Oscillator<Real> wall_of(const Oscillator<Real>&);     \
+#define SIGMASWEEP_CALIBRATION(Real)                          \
+  template Oscillator<Real> oscillator(Real, Real);           \
+  template Real contact_time(const Oscillator<Real>&);        \
+  template Real restitution(const Oscillator<Real>&);         \
+  template Oscillator<Real> wall_of(const Oscillator<Real>&); \
   template Real wall_restitution(Real);
 SIGMASWEEP_CALIBRATION(double)
 SIGMASWEEP_CALIBRATION(long double)

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <boost/math/tools/roots.hpp>
-#include "sigmasweep/contact/calibration.hpp"
 #include "numerics/dormand_prince.hpp"
+#include "sigmasweep/contact/calibration.hpp"
 #include "sigmasweep/contact/law.hpp"
 
 namespace sigmasweep {
@@ -142,8 +142,8 @@ double damping(Exponents exponents, double k, double v, double eps) {
     if (!std::isfinite(high)) return std::numeric_limits<double>::quiet_NaN();
   }
   std::uintmax_t most = 100;
-  const auto [a, b] = boost::math::tools::toms748_solve(excess, low, high,
-                                                         boost::math::tools::eps_tolerance<double>(50), most);
+  const auto [a, b] =
+      boost::math::tools::toms748_solve(excess, low, high, boost::math::tools::eps_tolerance<double>(50), most);
   return 0.5 * (a + b);
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "sigmasweep/solve/simulate.hpp"
 #include "base/thread_clock.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 
 namespace sigmasweep {

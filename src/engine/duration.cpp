@@ -37,8 +37,10 @@ std::optional<double> parse_duration(std::string_view text) {
   const auto days = dash == text.npos ? std::optional(0u) : parse_whole<unsigned>(text.substr(0, dash));
   auto parts = parse_parts(dash == text.npos ? text : text.substr(dash + 1));
   if (!days || !parts || parts->size() > 3) return std::nullopt;
-  if (dash != text.npos) parts->resize(3);                         // D-HH:MM: hours come first
-  else if (parts->size() == 2) parts->insert(parts->begin(), 0.0);  // MM:SS: seconds come last
+  if (dash != text.npos)
+    parts->resize(3);  // D-HH:MM: hours come first
+  else if (parts->size() == 2)
+    parts->insert(parts->begin(), 0.0);  // MM:SS: seconds come last
   return ((24.0 * *days + (*parts)[0]) * 60.0 + (*parts)[1]) * 60.0 + (*parts)[2];
 }
 

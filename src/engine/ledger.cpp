@@ -7,18 +7,18 @@
 #include <limits>
 #include <utility>
 
-#include "engine/reuse.hpp"
-#include "sigmasweep/base/errors.hpp"
 #include "base/random.hpp"
-#include "sigmasweep/solve/simulate.hpp"
+#include "engine/reuse.hpp"
 #include "engine/stored_sweep.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 
 namespace sigmasweep {
 namespace {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
-  throw OutputError(fmt::format("{}: {}; nothing was changed. Choose another output with -o, or --fresh to replace it",
-                                path, what));
+  throw OutputError(
+      fmt::format("{}: {}; nothing was changed. Choose another output with -o, or --fresh to replace it", path, what));
 }
 
 /// What the journal belongs to; that of a slice is not that of the sweep. Throws SpecError where the rows do not fit
@@ -33,8 +33,8 @@ JournalIdentity identity_of(const Sweep& sweep, const Slice& slice) {
   if (needed > memory / 2 || rows > std::uint64_t(std::numeric_limits<std::int32_t>::max()))
     throw SpecError(fmt::format("{} rows take {:.3g} GB, this machine can hold {:.3g}: split the sweep", rows,
                                 needed * 1e-9, memory / 2 * 1e-9));
-  const std::uint64_t hash = slice.is_whole() ? sweep.hash()
-                                              : random_bits(sweep.hash() ^ random_bits(slice.count, slice.index), 0);
+  const std::uint64_t hash =
+      slice.is_whole() ? sweep.hash() : random_bits(sweep.hash() ^ random_bits(slice.count, slice.index), 0);
   return {hash, physics_version, sweep.size()};
 }
 
@@ -59,10 +59,12 @@ Ledger::Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions
 
 Ledger::Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options,
                const std::vector<Source>& others)
-    : slice_(options.slice), retry_(options.retry),
+    : slice_(options.slice),
+      retry_(options.retry),
       journal_(table, identity_of(sweep, slice_), options.fresh,
                options.extend ? [&](const auto& old) { return carry(sweep, old); } : Journal::Carry()),
-      rows_(slice_.size(sweep.size())), have_(rows_.size(), false) {
+      rows_(slice_.size(sweep.size())),
+      have_(rows_.size(), false) {
   take_journal(sweep);
   const bool begun = journal_.is_there(), beside_a_table = !options.fresh && std::filesystem::exists(table);
   if (beside_a_table && begun && there_ == 0)
@@ -94,8 +96,10 @@ void Ledger::take_journal(const Sweep& sweep) {
                                    dropped, dropped == 1 ? "record" : "records", dropped == 1 ? "is" : "are"));
   for (const Row& row : journal_.recovered()) {
     if (!slice_.place(row.index)) continue;
-    if (content_key(row.parameters) == content_key(sweep.at(row.index))) keep_or_retry(row);
-    else attempts_[row.index] = row.timing.attempt;
+    if (content_key(row.parameters) == content_key(sweep.at(row.index)))
+      keep_or_retry(row);
+    else
+      attempts_[row.index] = row.timing.attempt;
   }
 }
 
@@ -147,8 +151,10 @@ void Ledger::keep(const Row& row) {
 }
 
 void Ledger::keep_or_retry(const Row& row) {
-  if (!retry_ || is_reproducible(row.collision.status)) keep(row);
-  else attempts_[row.index] = row.timing.attempt;
+  if (!retry_ || is_reproducible(row.collision.status))
+    keep(row);
+  else
+    attempts_[row.index] = row.timing.attempt;
 }
 
 std::vector<std::uint64_t> Ledger::missing() const {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "sigmasweep/model/row.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
 #include "store/journal/journal.hpp"
 #include "store/table/table.hpp"
-#include "sigmasweep/model/row.hpp"
 #include "sweep/slice.hpp"
-#include "sigmasweep/sweep/sweep.hpp"
 
 namespace sigmasweep {
 
@@ -74,7 +74,7 @@ class Ledger {
   Journal journal_;  // as it opens it may take over rows already
   std::vector<Row> rows_;
   std::vector<bool> have_;
-  std::vector<Row> new_;  // kept, but in no journal yet
+  std::vector<Row> new_;                            // kept, but in no journal yet
   std::map<std::uint64_t, std::int32_t> attempts_;  // of rows that were tried before and are not kept
   std::vector<std::string> remarks_;
   bool table_is_complete_ = false;

@@ -42,8 +42,13 @@ std::string readable_duration(double seconds) {
 }
 
 Progress::Progress(std::uint64_t total_rows, double total_predicted_seconds, int ranks, bool quiet)
-    : total_rows_(total_rows), total_seconds_(total_predicted_seconds), ranks_(ranks), quiet_(quiet),
-      terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()), drawn_(start_) {
+    : total_rows_(total_rows),
+      total_seconds_(total_predicted_seconds),
+      ranks_(ranks),
+      quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
+      drawn_(start_) {
   if (!quiet_ && !terminal_)
     show(fmt::format("sigmasweep: {} rows to compute on {} rank{}; predicted: {} of core time\n", total_rows_, ranks_,
                      ranks_ == 1 ? "" : "s", readable_duration(total_seconds_)));
@@ -63,8 +68,8 @@ void Progress::finish() {
 
 double Progress::fraction() const {
   if (total_rows_ == 0 || rows_ >= total_rows_) return 1.0;
-  const double fraction = total_seconds_ > 0.0 ? seconds_ / total_seconds_
-                                               : static_cast<double>(rows_) / static_cast<double>(total_rows_);
+  const double fraction =
+      total_seconds_ > 0.0 ? seconds_ / total_seconds_ : static_cast<double>(rows_) / static_cast<double>(total_rows_);
   return std::clamp(fraction, 0.0, 1.0);
 }
 

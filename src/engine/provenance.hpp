@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "store/table/table.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "store/table/table.hpp"
 
 /// Where and when a result was made.
 namespace sigmasweep {

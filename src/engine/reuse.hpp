@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sigmasweep/model/row.hpp"
-#include "sweep/slice.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "sweep/slice.hpp"
 
 namespace sigmasweep {
 

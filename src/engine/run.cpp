@@ -14,25 +14,25 @@
 #include <utility>
 #include <vector>
 
+#include "base/exit_codes.hpp"
 #include "engine/compute.hpp"
 #include "engine/deadline.hpp"
 #include "engine/ledger.hpp"
-#include "engine/stop.hpp"
-#include "engine/trajectories.hpp"
-#include "base/exit_codes.hpp"
-#include "mpi/on_root.hpp"
-#include "engine/provenance.hpp"
-#include "sigmasweep/base/errors.hpp"
 #include "engine/progress.hpp"
+#include "engine/provenance.hpp"
+#include "engine/slurm_job.hpp"
+#include "engine/stop.hpp"
 #include "engine/summary.hpp"
-#include "store/crash_notes.hpp"
-#include "store/table/table.hpp"
+#include "engine/trajectories.hpp"
+#include "engine/trajectory_files.hpp"
+#include "engine/unstable_rows.hpp"
 #include "mpi/collective_sum.hpp"
+#include "mpi/on_root.hpp"
+#include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
-#include "engine/slurm_job.hpp"
-#include "engine/unstable_rows.hpp"
-#include "engine/trajectory_files.hpp"
+#include "store/crash_notes.hpp"
+#include "store/table/table.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -49,7 +49,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 class Run {
  public:
   Run(World& world, const RunOptions& options)
-      : world_(world), options_(options),
+      : world_(world),
+        options_(options),
         table_(options.output.empty() ? default_table(options.spec) : options.output) {}
 
   int operator()() {
@@ -101,8 +102,8 @@ int Run::begin() {
   const int code = on_manager(world_, [this] {
     sweep_ = Sweep::load(options_.spec);
     if (!options_.fresh) require_own_trajectories(*sweep_, table_);
-    ledger_.emplace(*sweep_, table_, LedgerOptions{options_.fresh, options_.slice, options_.extend, options_.reuse,
-                                                  options_.retry});
+    ledger_.emplace(*sweep_, table_,
+                    LedgerOptions{options_.fresh, options_.slice, options_.extend, options_.reuse, options_.retry});
     if (options_.fresh) remove_trajectories(*sweep_, table_);
     for (const std::string& remark : ledger_->remarks()) say(fmt::format("sigmasweep: {}\n", remark));
     if (ledger_->table_is_complete())
@@ -224,7 +225,9 @@ int Run::compute() {
     if (ledger_->is_complete()) return success;
     std::fputs(fmt::format("sigmasweep: stopped on purpose with {} of {} rows done{}; run it again{} to go on\n",
                            ledger_->there(), rows(), stop_.made() ? "" : ", the others would not end in time",
-                           options_.fresh ? " without --fresh" : "").c_str(), stderr);
+                           options_.fresh ? " without --fresh" : "")
+                   .c_str(),
+               stderr);
     return stopped;
   });
 }
@@ -273,7 +276,9 @@ int Run::film() {
       return success;
     }
     std::fputs(fmt::format("sigmasweep: stopped on purpose with {} of {} trajectories in {}; run it again{} to go on\n",
-                           films.there, films.wanted, where, options_.fresh ? " without --fresh" : "").c_str(), stderr);
+                           films.there, films.wanted, where, options_.fresh ? " without --fresh" : "")
+                   .c_str(),
+               stderr);
     return stopped;
   });
 }

@@ -10,10 +10,10 @@
 namespace sigmasweep {
 
 struct RunOptions {
-  std::string spec;          ///< path of the sweep spec
-  std::string output;        ///< path of the table; empty: default_table(spec)
-  bool fresh = false;        ///< start again, whatever is there
-  bool quiet = false;        ///< neither progress nor summary
+  std::string spec;                   ///< path of the sweep spec
+  std::string output;                 ///< path of the table; empty: default_table(spec)
+  bool fresh = false;                 ///< start again, whatever is there
+  bool quiet = false;                 ///< neither progress nor summary
   std::optional<double> max_seconds;  ///< be through after this long; the end of a Slurm job counts as well
   Slice slice;                        ///< compute these rows only
   bool extend = false;                ///< take over the rows of the table of another spec that is to be replaced

@@ -5,11 +5,11 @@
 #include <array>
 
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/names.hpp"
+#include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "store/build_info.hpp"
-#include "sigmasweep/model/relevance.hpp"
 
 namespace sigmasweep {
 

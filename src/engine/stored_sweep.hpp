@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "store/table/table.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "store/table/table.hpp"
 
 namespace sigmasweep {
 

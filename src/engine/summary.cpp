@@ -10,8 +10,8 @@
 
 #include "engine/progress.hpp"
 #include "sigmasweep/contact/law.hpp"
-#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/names.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -109,17 +109,14 @@ Universality universality(std::span<const Row> rows) {
   Universality result;
   for (auto begin = sorted.begin(); begin != sorted.end();) {
     // Measured from the group's first row: groups cannot creep along a fine axis.
-    const auto end = std::find_if(begin, sorted.end(), [&](const Row* row) {
-      return !same_point((*begin)->parameters, row->parameters);
-    });
-    const bool other_scales = std::any_of(begin, end, [&](const Row* row) {
-      return scales(row->parameters) != scales((*begin)->parameters);
-    });
+    const auto end = std::find_if(begin, sorted.end(),
+                                  [&](const Row* row) { return !same_point((*begin)->parameters, row->parameters); });
+    const bool other_scales = std::any_of(
+        begin, end, [&](const Row* row) { return scales(row->parameters) != scales((*begin)->parameters); });
     if (other_scales) {
       ++result.groups;
-      const auto [least, most] = std::minmax_element(begin, end, [](const Row* a, const Row* b) {
-        return a->collision.eps_eff < b->collision.eps_eff;
-      });
+      const auto [least, most] = std::minmax_element(
+          begin, end, [](const Row* a, const Row* b) { return a->collision.eps_eff < b->collision.eps_eff; });
       const double spread = (*most)->collision.eps_eff - (*least)->collision.eps_eff;
       if (spread >= result.spread) result.spread = spread, result.sigma = (*begin)->parameters.sigma;
     }

@@ -8,11 +8,11 @@
 #include <limits>
 #include <system_error>
 
+#include "engine/trajectory_files.hpp"
+#include "mpi/collective_sum.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
 #include "store/h5md.hpp"
-#include "mpi/collective_sum.hpp"
-#include "engine/trajectory_files.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -25,8 +25,10 @@ bool exists(const std::string& path) {
 }
 
 [[noreturn]] void refuse(const std::string& path, std::uint64_t row) {
-  throw OutputError(fmt::format("{}: is there already and is not the trajectory of row {} of this sweep; nothing was "
-                                "changed. Choose another output with -o, or --fresh to replace it", path, row));
+  throw OutputError(
+      fmt::format("{}: is there already and is not the trajectory of row {} of this sweep; nothing was "
+                  "changed. Choose another output with -o, or --fresh to replace it",
+                  path, row));
 }
 
 /// Files of the names that we give, and what a killed run left of them.
@@ -93,8 +95,8 @@ void require_own_trajectories(const Sweep& sweep, const std::string& table) {
       refuse(path, row);
 }
 
-Films write_trajectories(const World& world, const Sweep& sweep, const std::string& table,
-                         const std::vector<Row>& rows, const StopRequest& stop) {
+Films write_trajectories(const World& world, const Sweep& sweep, const std::string& table, const std::vector<Row>& rows,
+                         const StopRequest& stop) {
   const auto comm = static_cast<MPI_Comm>(world.native());
   std::vector<Row> all;
   const std::uint64_t wanted = together(comm, [&] {

@@ -25,7 +25,7 @@ struct Films {
 /// After the run, on all ranks, `rows` the manager's finished rows in spec order: the ranks take turns in writing what
 /// is not there yet. Ends early when any rank is asked to stop; what is written stays. A file that is there and is not
 /// what would be written is an OutputError. All ranks throw the same error.
-Films write_trajectories(const World& world, const Sweep& sweep, const std::string& table,
-                         const std::vector<Row>& rows, const StopRequest& stop);
+Films write_trajectories(const World& world, const Sweep& sweep, const std::string& table, const std::vector<Row>& rows,
+                         const StopRequest& stop);
 
 }  // namespace sigmasweep

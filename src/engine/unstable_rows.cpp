@@ -10,28 +10,28 @@
 #include <utility>
 
 #include "sigmasweep/contact/law.hpp"
-#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/geometry.hpp"
-#include "solve/fixed_step/stability.hpp"
+#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/relevance.hpp"
+#include "solve/fixed_step/stability.hpp"
 
 namespace sigmasweep {
 namespace {
 
 constexpr std::uint64_t most_rows = 1'000'000;
-/// A second or two each; what is beyond counts as stable. Dashpots of laws that are not linear take up to 0.1 s to find,
-/// and so do the modes of a lattice of unequal beads.
+/// A second or two each; what is beyond counts as stable. Dashpots of laws that are not linear take up to 0.1 s to
+/// find, and so do the modes of a lattice of unequal beads.
 constexpr std::size_t most_kinds = 20'000, most_slow_kinds = 30;
 
 /// What stability depends on beside integrator and step: of equal beads neither v0 nor s0.
 auto kind(const Parameters& p) {
-  return std::tuple(p.epsilon, p.N, p.law, p.beta, p.gamma, p.wall,
-                    p.K_over_m > 0.0 ? std::tuple(p.K_over_m, p.D_n, p.v0, p.tc) : std::tuple(0.0, 0.0, 0.0, 0.0),
-                    p.width > 0.0 ? std::tuple(p.width, p.d, p.seed) : std::tuple(0.0, 0.0, std::int64_t{0}),
-                    is_lattice(p) ? std::tuple(p.rows, p.side_walls, p.D_t * p.tc)
-                                  : std::tuple(std::int64_t{0}, SideWalls::periodic, 0.0),
-                    is_vibrated(p) && !exponents(p).linear() ? std::tuple(p.A0, p.frequency, p.v0)
-                                                             : std::tuple(0.0, 0.0, 0.0));
+  return std::tuple(
+      p.epsilon, p.N, p.law, p.beta, p.gamma, p.wall,
+      p.K_over_m > 0.0 ? std::tuple(p.K_over_m, p.D_n, p.v0, p.tc) : std::tuple(0.0, 0.0, 0.0, 0.0),
+      p.width > 0.0 ? std::tuple(p.width, p.d, p.seed) : std::tuple(0.0, 0.0, std::int64_t{0}),
+      is_lattice(p) ? std::tuple(p.rows, p.side_walls, p.D_t * p.tc)
+                    : std::tuple(std::int64_t{0}, SideWalls::periodic, 0.0),
+      is_vibrated(p) && !exponents(p).linear() ? std::tuple(p.A0, p.frequency, p.v0) : std::tuple(0.0, 0.0, 0.0));
 }
 
 /// The closed contacts of kinds that were seen; nullptr for those for which there is no time.
@@ -90,9 +90,9 @@ std::string stability_warning(const Sweep& sweep) {
   if (all == 0) return {};
   const auto& [scheme, most] = *std::ranges::max_element(unstable, {}, [](const auto& g) { return g.second.rows; });
   const std::string others = unstable.size() > 1 ? fmt::format(", mostly {}", most.rows) : "";
-  const std::string range = most.lowest == most.highest ? fmt::format("epsilon = {:.4g}", most.highest)
-                                                        : fmt::format("epsilon from {:.4g} to {:.4g}", most.lowest,
-                                                                      most.highest);
+  const std::string range = most.lowest == most.highest
+                                ? fmt::format("epsilon = {:.4g}", most.highest)
+                                : fmt::format("epsilon from {:.4g} to {:.4g}", most.lowest, most.highest);
   return fmt::format("{}{} of {} tuples are predicted to be unstable{}: {} at tc/{:.4g} with {}",
                      stride > 1 ? "in a sample, " : "", all, looked_at, others, name_of(scheme.first), scheme.second,
                      range);

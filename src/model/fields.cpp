@@ -15,28 +15,44 @@ namespace {
 static_assert(std::is_standard_layout_v<Row> && std::is_trivially_copyable_v<Row>);
 
 /// The field type that a member of a row has.
-template <class T> constexpr FieldType type_of() {
-  if constexpr (std::is_same_v<T, double>) return FieldType::real;
-  else if constexpr (std::is_same_v<T, std::int64_t>) return FieldType::integer;
-  else if constexpr (std::is_same_v<T, std::uint64_t>) return FieldType::unsigned_integer;
-  else if constexpr (std::is_same_v<T, std::int32_t>) return FieldType::integer32;
-  else if constexpr (std::is_same_v<T, Method>) return FieldType::method;
-  else if constexpr (std::is_same_v<T, Geometry>) return FieldType::geometry;
-  else if constexpr (std::is_same_v<T, Wall>) return FieldType::wall;
-  else if constexpr (std::is_same_v<T, Integrator>) return FieldType::integrator;
-  else if constexpr (std::is_same_v<T, Law>) return FieldType::law;
-  else if constexpr (std::is_same_v<T, Material>) return FieldType::material;
-  else if constexpr (std::is_same_v<T, EdRule>) return FieldType::ed_rule;
-  else if constexpr (std::is_same_v<T, Flag>) return FieldType::flag;
-  else if constexpr (std::is_same_v<T, SideWalls>) return FieldType::side_walls;
-  else if constexpr (std::is_same_v<T, End>) return FieldType::end;
-  else if constexpr (std::is_same_v<T, Status>) return FieldType::status;
+template <class T>
+constexpr FieldType type_of() {
+  if constexpr (std::is_same_v<T, double>)
+    return FieldType::real;
+  else if constexpr (std::is_same_v<T, std::int64_t>)
+    return FieldType::integer;
+  else if constexpr (std::is_same_v<T, std::uint64_t>)
+    return FieldType::unsigned_integer;
+  else if constexpr (std::is_same_v<T, std::int32_t>)
+    return FieldType::integer32;
+  else if constexpr (std::is_same_v<T, Method>)
+    return FieldType::method;
+  else if constexpr (std::is_same_v<T, Geometry>)
+    return FieldType::geometry;
+  else if constexpr (std::is_same_v<T, Wall>)
+    return FieldType::wall;
+  else if constexpr (std::is_same_v<T, Integrator>)
+    return FieldType::integrator;
+  else if constexpr (std::is_same_v<T, Law>)
+    return FieldType::law;
+  else if constexpr (std::is_same_v<T, Material>)
+    return FieldType::material;
+  else if constexpr (std::is_same_v<T, EdRule>)
+    return FieldType::ed_rule;
+  else if constexpr (std::is_same_v<T, Flag>)
+    return FieldType::flag;
+  else if constexpr (std::is_same_v<T, SideWalls>)
+    return FieldType::side_walls;
+  else if constexpr (std::is_same_v<T, End>)
+    return FieldType::end;
+  else if constexpr (std::is_same_v<T, Status>)
+    return FieldType::status;
 }
 
 #define SIGMASWEEP_FIELD(part, member, unit, meaning) \
-  Field{#member, unit, meaning, type_of<decltype(Row::part.member)>(), offsetof(Row, part.member)}
+  Field { #member, unit, meaning, type_of < decltype(Row::part.member)>(), offsetof(Row, part.member) }
 #define SIGMASWEEP_VIBRATION(member, unit, meaning) \
-  Field{#member, unit, meaning, FieldType::real, offsetof(Row, collision.vibration.member)}
+  Field { #member, unit, meaning, FieldType::real, offsetof(Row, collision.vibration.member) }
 
 constexpr std::array parameters{
     SIGMASWEEP_FIELD(parameters, v0, "m/s", "approach speed; vibrated: at which tc and epsilon hold if nonlinear"),
@@ -96,7 +112,7 @@ constexpr std::array results{
     SIGMASWEEP_VIBRATION(power_in, "W/kg", "mean power of the plate, over the mass"),
     SIGMASWEEP_VIBRATION(power_lost, "W/kg", "mean power lost in contacts, over the mass"),
     SIGMASWEEP_VIBRATION(imbalance, "1",
-                     "work in less work lost and gain of energy, over max(work in, weight x plate's path)"),
+                         "work in less work lost and gain of energy, over max(work in, weight x plate's path)"),
     SIGMASWEEP_FIELD(collision, contacts, "1", "contacts closed and opened again; for hard spheres collisions"),
     SIGMASWEEP_FIELD(collision, end, "1", "why the collision was considered over; periods: all that were asked for"),
     SIGMASWEEP_FIELD(collision, status, "1", "whether the row holds what was asked for"),
@@ -184,8 +200,9 @@ void set_number(const Field& field, Row& row, double value) {
     case FieldType::integer: return store<std::int64_t>(field, row, value);
     case FieldType::unsigned_integer: return store<std::uint64_t>(field, row, value);
     case FieldType::integer32: return store<std::int32_t>(field, row, value);
-    default: assert(value < static_cast<double>(enumerators(field.type).size()));
-             return store<std::uint8_t>(field, row, value);
+    default:
+      assert(value < static_cast<double>(enumerators(field.type).size()));
+      return store<std::uint8_t>(field, row, value);
   }
 }
 

@@ -15,10 +15,9 @@ constexpr std::array<string_view, 3> material_names{"none", "steel", "aluminium"
 constexpr std::array<string_view, 2> ed_rule_names{"lrv", "tc"};
 constexpr std::array<string_view, 2> flag_names{"false", "true"};
 constexpr std::array<string_view, 5> end_names{"none", "separated", "settled", "periods", "quiet"};
-constexpr std::array<string_view, 10> status_names{"ok",         "collapsed",   "tolerance_missed",
-                                                  "unstable",   "event_limit", "time_limit",
-                                                  "non_finite", "failed",      "not_run",
-                                                   "quarantined"};
+constexpr std::array<string_view, 10> status_names{"ok",          "collapsed",  "tolerance_missed", "unstable",
+                                                   "event_limit", "time_limit", "non_finite",       "failed",
+                                                   "not_run",     "quarantined"};
 
 // One name an enumerator: a new enumerator without a name does not compile.
 static_assert(method_names.size() == static_cast<std::size_t>(Method::ed) + 1);
@@ -35,16 +34,49 @@ static_assert(status_names.size() == static_cast<std::size_t>(Status::quarantine
 
 }  // namespace
 
-template <> std::span<const string_view> names_of<Method>() { return method_names; }
-template <> std::span<const string_view> names_of<Geometry>() { return geometry_names; }
-template <> std::span<const string_view> names_of<Wall>() { return wall_names; }
-template <> std::span<const string_view> names_of<Integrator>() { return integrator_names; }
-template <> std::span<const string_view> names_of<Law>() { return law_names; }
-template <> std::span<const string_view> names_of<Material>() { return material_names; }
-template <> std::span<const string_view> names_of<EdRule>() { return ed_rule_names; }
-template <> std::span<const string_view> names_of<Flag>() { return flag_names; }
-template <> std::span<const string_view> names_of<SideWalls>() { return side_walls_names; }
-template <> std::span<const string_view> names_of<End>() { return end_names; }
-template <> std::span<const string_view> names_of<Status>() { return status_names; }
+template <>
+std::span<const string_view> names_of<Method>() {
+  return method_names;
+}
+template <>
+std::span<const string_view> names_of<Geometry>() {
+  return geometry_names;
+}
+template <>
+std::span<const string_view> names_of<Wall>() {
+  return wall_names;
+}
+template <>
+std::span<const string_view> names_of<Integrator>() {
+  return integrator_names;
+}
+template <>
+std::span<const string_view> names_of<Law>() {
+  return law_names;
+}
+template <>
+std::span<const string_view> names_of<Material>() {
+  return material_names;
+}
+template <>
+std::span<const string_view> names_of<EdRule>() {
+  return ed_rule_names;
+}
+template <>
+std::span<const string_view> names_of<Flag>() {
+  return flag_names;
+}
+template <>
+std::span<const string_view> names_of<SideWalls>() {
+  return side_walls_names;
+}
+template <>
+std::span<const string_view> names_of<End>() {
+  return end_names;
+}
+template <>
+std::span<const string_view> names_of<Status>() {
+  return status_names;
+}
 
 }  // namespace sigmasweep

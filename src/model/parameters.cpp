@@ -47,11 +47,12 @@ std::string why_lattice_invalid(const Parameters& p) {
     return fmt::format("rows = {}, columns = {} are not allowed: {} beads are the most.", p.rows, p.columns, max_beads);
   if (p.N != p.rows * p.columns)
     return fmt::format("N = {} is not allowed: a lattice has rows times columns = {}.", p.N, p.rows * p.columns);
-  if (p.method == Method::ed)
-    return "method = 'ed' is not allowed for a lattice: hard spheres are for columns.";
+  if (p.method == Method::ed) return "method = 'ed' is not allowed for a lattice: hard spheres are for columns.";
   if (!is_vibrated(p) && p.sigma * static_cast<double>(p.rows) > most_flight)
-    return fmt::format("sigma = {} is not allowed with rows = {}: positions would lose their digits where sigma rows is "
-                       "above {}.", p.sigma, p.rows, most_flight);
+    return fmt::format(
+        "sigma = {} is not allowed with rows = {}: positions would lose their digits where sigma rows is "
+        "above {}.",
+        p.sigma, p.rows, most_flight);
   if (!not_negative(p.D_t)) return refuse("D_t", p.D_t, "finite and >= 0 1/s");
   return {};
 }
@@ -143,8 +144,10 @@ std::string why_invalid(const Parameters& p) {
   if (!within(p.gamma, 0.0, 4.0)) return refuse("gamma", p.gamma, "from 0 to 4");
   const bool sticks = p.K_over_m > 0.0 && p.epsilon == 0.0;
   if (sticks && p.method == Method::ed)
-    return fmt::format("K_over_m = {}, D_n = {} are not allowed with method = 'ed': at {} m/s a pair is too damped to "
-                       "come apart again, and hard spheres need epsilon > 0.", p.K_over_m, p.D_n, p.v0);
+    return fmt::format(
+        "K_over_m = {}, D_n = {} are not allowed with method = 'ed': at {} m/s a pair is too damped to "
+        "come apart again, and hard spheres need epsilon > 0.",
+        p.K_over_m, p.D_n, p.v0);
   if (!positive(p.v0)) return refuse("v0", p.v0, "a finite speed > 0 m/s");
   if (!positive(p.tc)) return refuse("tc", p.tc, "a finite time > 0 s");
   if (!not_negative(p.s0)) return refuse("s0", p.s0, "a finite length >= 0 m");

@@ -90,9 +90,8 @@ constexpr auto families = std::to_array<Family>({
 });
 
 const Family* family_of(const Field& field) {
-  const auto family = std::ranges::find_if(families, [&](const Family& one) {
-    return std::ranges::find(one.fields, field.name) != one.fields.end();
-  });
+  const auto family = std::ranges::find_if(
+      families, [&](const Family& one) { return std::ranges::find(one.fields, field.name) != one.fields.end(); });
   return family == families.end() ? nullptr : &*family;
 }
 

@@ -67,7 +67,8 @@ void Team::wait_for_all(MPI_Request request, int exit_code, const std::string& m
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   std::fputs(fmt::format("sigmasweep: rank {}: {} (and the other ranks do not answer: all are ended)\n", rank_, message)
-                 .c_str(), stderr);
+                 .c_str(),
+             stderr);
   MPI_Abort(comm_, exit_code);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <mpi.h>  // brings MPI_Comm with the parallel library
 #include <cstdint>
 #include <functional>
-#include <mpi.h>  // brings MPI_Comm with the parallel library
 
 namespace sigmasweep {
 

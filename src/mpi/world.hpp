@@ -57,8 +57,8 @@ struct Job {
   /// Must not throw; on workers, and on a thread of the manager. A tuple that takes long asks now and then whether it
   /// is to end at once, and if so gives nothing.
   std::function<std::optional<Row>(const Tuple&, const std::function<bool()>& to_end)> compute;
-  std::function<void(const Row&)> finished;            ///< on the manager, for each row as it comes in; must not throw
-  std::function<bool()> stop;                          ///< polled on every rank: hand out nothing more
+  std::function<void(const Row&)> finished;  ///< on the manager, for each row as it comes in; must not throw
+  std::function<bool()> stop;                ///< polled on every rank: hand out nothing more
   /// On the manager: a chunk that is predicted to take more CPU time, s, is not handed out now. Empty: no limit.
   std::function<double()> most_seconds{};
   bool manager_computes = true;

@@ -22,7 +22,7 @@ class DormandPrince {
   template <class System>
   Real step(System&& system, const State& start, const State& start_slope, const Real& at, const Real& span,
             State& end) {
-    if constexpr (requires(State& k) { k.resize(1); })
+    if constexpr (requires(State & k) { k.resize(1); })
       for (State& k : slope_) k.resize(start.size());
     std::copy(start_slope.begin(), start_slope.end(), slope_[0].begin());
     stages(system, start, at, span, end, std::make_index_sequence<count - 1>());
@@ -53,13 +53,14 @@ class DormandPrince {
     const Real* from = start.data();
     Real* to = y.data();
 #pragma GCC ivdep
-    for (std::size_t e = 0, n = start.size(); e < n; ++e)
-      to[e] = from[e] + span * (term<Stage, J>(k[J][e]) + ...);
+    for (std::size_t e = 0, n = start.size(); e < n; ++e) to[e] = from[e] + span * (term<Stage, J>(k[J][e]) + ...);
   }
   template <std::size_t Stage, std::size_t J>
   static Real term(const Real& slope) {
-    if constexpr (weights[Stage][J] == 0.0L) return Real(0);
-    else return Real(weights[Stage][J]) * slope;
+    if constexpr (weights[Stage][J] == 0.0L)
+      return Real(0);
+    else
+      return Real(weights[Stage][J]) * slope;
   }
 
   template <std::size_t... J>
@@ -115,12 +116,21 @@ class DormandPrince {
         1.89151789931450038304281599044L, -5.8012039600105847814672114227L, 3.1116436695781989440891606237e-1L,
         -1.52160949662516078556178806805e-1L, 2.01365400804030348374776537501e-1L,
         4.47106157277725905176885569043e-2L}}};
-  static constexpr Row fifth_order{0.1312004499419488073250102996e-1L, 0, 0, 0, 0, -0.1225156446376204440720569753e+1L,
-                                   -0.4957589496572501915214079952L, 0.1664377182454986536961530415e+1L,
-                                   -0.3503288487499736816886487290L, 0.3341791187130174790297318841L,
-                                   0.8192320648511571246570742613e-1L, -0.2235530786388629525884427845e-1L};
-  static constexpr Row third_order{0.244094488188976377952755905512L, 0, 0, 0, 0, 0, 0, 0,
-                                   0.733846688281611857341361741547L, 0, 0, 0.220588235294117647058823529412e-1L};
+  static constexpr Row fifth_order{0.1312004499419488073250102996e-1L,
+                                   0,
+                                   0,
+                                   0,
+                                   0,
+                                   -0.1225156446376204440720569753e+1L,
+                                   -0.4957589496572501915214079952L,
+                                   0.1664377182454986536961530415e+1L,
+                                   -0.3503288487499736816886487290L,
+                                   0.3341791187130174790297318841L,
+                                   0.8192320648511571246570742613e-1L,
+                                   -0.2235530786388629525884427845e-1L};
+  static constexpr Row third_order{
+      0.244094488188976377952755905512L,   0, 0, 0, 0, 0, 0, 0, 0.733846688281611857341361741547L, 0, 0,
+      0.220588235294117647058823529412e-1L};
 
   std::array<State, count> slope_{};
 };

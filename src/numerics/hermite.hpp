@@ -39,8 +39,8 @@ struct Quintic {
   /// Whether it certainly stays positive (or zero): Bernstein's coefficients, between whose smallest and largest it is.
   static bool stays_positive(const Motion<Real>& from, const Motion<Real>& to, const Real& h) {
     const Real v0 = h * from.u / 5, a0 = h * h * from.a / 20, v1 = h * to.u / 5, a1 = h * h * to.a / 20;
-    return from.x >= 0 && from.x + v0 >= 0 && from.x + 2 * v0 + a0 >= 0 && to.x - 2 * v1 + a1 >= 0 &&
-           to.x - v1 >= 0 && to.x >= 0;
+    return from.x >= 0 && from.x + v0 >= 0 && from.x + 2 * v0 + a0 >= 0 && to.x - 2 * v1 + a1 >= 0 && to.x - v1 >= 0 &&
+           to.x >= 0;
   }
 };
 

@@ -30,11 +30,21 @@ struct Lanes {
     for (std::size_t i = 0; i < count; ++i) r.v[i] = operation(i);
     return r;
   }
-  friend Lanes operator+(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return Real(a.v[i] + b.v[i]); }); }
-  friend Lanes operator-(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return Real(a.v[i] - b.v[i]); }); }
-  friend Lanes operator*(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return Real(a.v[i] * b.v[i]); }); }
-  friend Lanes operator/(const Lanes& a, const Lanes& b) { return each([&](std::size_t i) { return Real(a.v[i] / b.v[i]); }); }
-  friend Lanes magnitude(const Lanes& a) { return each([&](std::size_t i) { return a.v[i] < 0 ? Real(-a.v[i]) : a.v[i]; }); }
+  friend Lanes operator+(const Lanes& a, const Lanes& b) {
+    return each([&](std::size_t i) { return Real(a.v[i] + b.v[i]); });
+  }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) {
+    return each([&](std::size_t i) { return Real(a.v[i] - b.v[i]); });
+  }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) {
+    return each([&](std::size_t i) { return Real(a.v[i] * b.v[i]); });
+  }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) {
+    return each([&](std::size_t i) { return Real(a.v[i] / b.v[i]); });
+  }
+  friend Lanes magnitude(const Lanes& a) {
+    return each([&](std::size_t i) { return a.v[i] < 0 ? Real(-a.v[i]) : a.v[i]; });
+  }
   /// c where a > b, else d (where one is NaN, too).
   friend Lanes where_above(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
     return each([&](std::size_t i) { return a.v[i] > b.v[i] ? c.v[i] : d.v[i]; });

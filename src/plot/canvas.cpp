@@ -10,8 +10,10 @@ namespace sigmasweep::plot {
 namespace {
 
 std::string rectangle(double x0, double z0, double x1, double z1) {
-  return fmt::format("set object rectangle from {:.6g},{:.6g} to {:.6g},{:.6g} fillcolor rgb '#707070' fillstyle solid "
-                     "noborder behind\n", x0, z0, x1, z1);
+  return fmt::format(
+      "set object rectangle from {:.6g},{:.6g} to {:.6g},{:.6g} fillcolor rgb '#707070' fillstyle solid "
+      "noborder behind\n",
+      x0, z0, x1, z1);
 }
 
 std::string walls(const Trajectory& t, const View& view, double bottom) {
@@ -20,17 +22,20 @@ std::string walls(const Trajectory& t, const View& view, double bottom) {
     return out + rectangle(view.x0, bottom - view.wall, 0.0, view.z1) +
            rectangle(t.box_width, bottom - view.wall, view.x1, view.z1);
   for (const double x : {0.0, t.box_width})
-    out += fmt::format("set arrow from {0:.6g},{1:.6g} to {0:.6g},{2:.6g} nohead front dashtype 3 linecolor rgb "
-                       "'#606060'\n", x, bottom, view.z1);
+    out += fmt::format(
+        "set arrow from {0:.6g},{1:.6g} to {0:.6g},{2:.6g} nohead front dashtype 3 linecolor rgb "
+        "'#606060'\n",
+        x, bottom, view.z1);
   return out;
 }
 
 }  // namespace
 
 std::string Canvas::margins(double x, double y, double w, double h) const {
-  return fmt::format("set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n"
-                     "set bmargin at screen {:.6f}\n", x / width, (x + w) / width, 1.0 - y / height,
-                     1.0 - (y + h) / height);
+  return fmt::format(
+      "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n"
+      "set bmargin at screen {:.6f}\n",
+      x / width, (x + w) / width, 1.0 - y / height, 1.0 - (y + h) / height);
 }
 
 std::string Canvas::label(const std::string& text, double x, double y, std::string_view how) const {

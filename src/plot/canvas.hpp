@@ -19,9 +19,9 @@ struct Canvas {
 /// What a frame shows of a container, m, to scale: as wide as the frame, but not higher than allowed.
 struct View {
   double x0, x1, z0, z1;
-  double wall;                           ///< how thick walls are drawn
-  double frame_width, tallest = 420.0;   ///< pixels
-  double scale() const;                  ///< pixels per m
+  double wall;                          ///< how thick walls are drawn
+  double frame_width, tallest = 420.0;  ///< pixels
+  double scale() const;                 ///< pixels per m
   double height() const { return scale() * (z1 - z0); }
   double width() const { return scale() * (x1 - x0); }
 };

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/spelling.hpp"
 #include "plot/labels.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "base/spelling.hpp"
 
 namespace sigmasweep::plot {
 namespace {

@@ -41,9 +41,9 @@ class Curves {
   std::set<std::string> labels_;
   std::vector<Curve> curves_;
 
-  using Place = std::pair<std::size_t, double>;                                  ///< curve and rounded x
-  std::map<std::pair<Place, std::vector<double>>, std::uint64_t> seen_;          ///< rows there with these mean_over
-  std::map<std::pair<Place, std::uint64_t>, std::size_t> groups_;                ///< n-th of them: means_
+  using Place = std::pair<std::size_t, double>;                          ///< curve and rounded x
+  std::map<std::pair<Place, std::vector<double>>, std::uint64_t> seen_;  ///< rows there with these mean_over
+  std::map<std::pair<Place, std::uint64_t>, std::size_t> groups_;        ///< n-th of them: means_
   std::vector<Mean> means_;
   std::string note_;
 };

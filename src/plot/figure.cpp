@@ -48,9 +48,8 @@ std::vector<const Row*> chosen(std::span<const Row> rows, const std::string& whe
 }
 
 bool occurs(const std::vector<const Row*>& rows, Method method) {
-  return std::ranges::any_of(rows, [&](const Row* row) {
-    return row->parameters.method == method && is_success(row->collision.status);
-  });
+  return std::ranges::any_of(
+      rows, [&](const Row* row) { return row->parameters.method == method && is_success(row->collision.status); });
 }
 
 /// Fits each series of symbols; the slopes go to the key. Says which could not be.

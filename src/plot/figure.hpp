@@ -28,7 +28,7 @@ struct Curve {
 
 /// A dashed line to compare with.
 struct Guide {
-  std::string label;  ///< enhanced text
+  std::string label;        ///< enhanced text
   std::vector<Point> path;  ///< from left to right; two points: straight on the picture
 };
 

@@ -66,8 +66,10 @@ std::string with_error(double value, double error) {
     double power = std::floor(std::log10(error));
     if (error / std::pow(10.0, power) < 2.0) power -= 1.0;  // two digits of an error that begins with 1
     const int decimals = std::max(static_cast<int>(-power), 0);
-    if (decimals > most_decimals) text = fmt::format("{:.{}f}", value, most_decimals);
-    else text = fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
+    if (decimals > most_decimals)
+      text = fmt::format("{:.{}f}", value, most_decimals);
+    else
+      text = fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
   }
   if (text.starts_with('-')) text.replace(0, 1, "−");
   return text;

@@ -83,9 +83,8 @@ std::vector<Point> all_points(const Figure& figure) {
     const auto [from, to] = std::pair(guide.path[0], guide.path[1]);  // straight on the picture
     const double x0 = fraction(figure.x, from.x), x1 = fraction(figure.x, to.x);
     const double y0 = fraction(figure.y, from.y), y1 = fraction(figure.y, to.y);
-    add_line(x0, x1, [&](double x) {
-      return value_at(figure.y, y0 + (y1 - y0) * (fraction(figure.x, x) - x0) / (x1 - x0));
-    });
+    add_line(x0, x1,
+             [&](double x) { return value_at(figure.y, y0 + (y1 - y0) * (fraction(figure.x, x) - x0) / (x1 - x0)); });
   }
   return points;
 }
@@ -141,8 +140,10 @@ std::string axis_commands(char name, const Axis& axis) {
   if (axis.log) {
     out += fmt::format("set logscale {}\n", name);
     const double decades = std::log10(axis.to / axis.from);
-    if (decades > 2.0) out += fmt::format("set format {} '10^{{%L}}'\n", name);
-    else out += fmt::format("set {}tics ({})\n", name, short_log_tics(axis));
+    if (decades > 2.0)
+      out += fmt::format("set format {} '10^{{%L}}'\n", name);
+    else
+      out += fmt::format("set {}tics ({})\n", name, short_log_tics(axis));
     if (decades > 9.0) out += fmt::format("set {0}tics 100\nset m{0}tics default\n", name);
   }
   return out + fmt::format("set {}range [{:.17g}:{:.17g}]\n", name, axis.from, axis.to);

@@ -36,8 +36,7 @@ constexpr auto symbols = std::to_array<Symbol>({
     {"gravity", "{/:Italic g}", ""},
     {"h_cm", "⟨{/:Italic h}_{cm}⟩", "mean height of the centre of mass ⟨{/:Italic h}_{cm}⟩"},
     {"h_cm_error", "δ{/:Italic h}_{cm}", "standard error of ⟨{/:Italic h}_{cm}⟩"},
-    {"h_cm_excess", "Δ{/:Italic h}_{cm}",
-     "rise of the centre of mass ⟨{/:Italic h}_{cm}⟩ − {/:Italic h}_{cm0}"},
+    {"h_cm_excess", "Δ{/:Italic h}_{cm}", "rise of the centre of mass ⟨{/:Italic h}_{cm}⟩ − {/:Italic h}_{cm0}"},
     {"separation", "⟨{/:Italic s}⟩", "mean separation of neighbours ⟨{/:Italic s}⟩"},
     {"separation_max", "{/:Italic s}_{max}", "largest separation of neighbours {/:Italic s}_{max}"},
     {"E_r", "⟨{/:Italic E}_r⟩", "energy of the relative motion ⟨{/:Italic E}_r⟩"},
@@ -145,8 +144,7 @@ std::string value_label(const Field& field, const Row& row) {
 std::string panel_title(std::size_t number, const Row& row, std::span<const std::string> differ) {
   std::string words;
   for (const std::string& name : differ)
-    if (const Field* field = find_field(name))
-      words += (words.empty() ? "" : ", ") + value_label(*field, row);
+    if (const Field* field = find_field(name)) words += (words.empty() ? "" : ", ") + value_label(*field, row);
   return fmt::format("({}) {}", static_cast<char>('a' + number), words);
 }
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "sigmasweep/base/errors.hpp"
 #include "base/spelling.hpp"
+#include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {
 

@@ -1,12 +1,12 @@
 #include "sigmasweep/solve/simulate.hpp"
 
+#include "assembly/lattice.hpp"
 #include "sigmasweep/contact/law.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "solve/exact/linear/collision.hpp"
+#include "solve/exact/power_law/collision.hpp"
 #include "solve/fixed_step/collision.hpp"
 #include "solve/hard_spheres/collision.hpp"
-#include "assembly/lattice.hpp"
-#include "solve/exact/power_law/collision.hpp"
 #include "solve/vibrated.hpp"
 
 namespace sigmasweep {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sigmasweep/model/result.hpp"
-#include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/base/budget.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 
 /// A column under gravity, at rest relative to a plate when that begins to move as z0(t) = A0 sin(2 pi f t), Eq. (1);
 /// Sec. V. Each of these follows it for all periods and fills in Collision::vibration, contacts, end and status, of
@@ -14,8 +14,9 @@ Collision simulate_vibrated_soft_spheres(const Parameters& parameters, Patience*
 /// Of a lattice in a vibrated container, soft spheres.
 Collision simulate_vibrated_lattice(const Parameters& parameters, Patience* patience = nullptr);
 
-/// The same of soft spheres by a scheme of order 8 with local errors of `accuracy`, in units of the plate's largest speed
-/// (and that times tc): finer or coarser than simulate_vibrated(), and for columns under the linear law another method.
+/// The same of soft spheres by a scheme of order 8 with local errors of `accuracy`, in units of the plate's largest
+/// speed (and that times tc): finer or coarser than simulate_vibrated(), and for columns under the linear law another
+/// method.
 Collision vibrated_by_steps(const Parameters& parameters, double accuracy, Patience* patience = nullptr);
 
 /// Bounces on the plate end in finite time: beads whose next bounces would be over within 1e-8 periods are at rest on

@@ -14,8 +14,8 @@
 #include <thread>
 #include <vector>
 
-#include "store/files.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "store/files.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -96,8 +96,10 @@ InFlight::InFlight(const std::string& table, const InFlightIdentity& identity, i
       break;
     }
     if (std::chrono::steady_clock::now() >= end)
-      throw OutputError(fmt::format("rank {} does not find {}, which rank 0 has made. All ranks need the same file "
-                                    "system", rank, path));
+      throw OutputError(
+          fmt::format("rank {} does not find {}, which rank 0 has made. All ranks need the same file "
+                      "system",
+                      rank, path));
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   const File file(path, O_RDWR);

@@ -14,14 +14,14 @@
 #include <numbers>
 #include <numeric>
 
-#include "store/hdf5/tree.hpp"
-#include "store/files.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/solve/simulate.hpp"
-#include "store/build_info.hpp"
-#include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "store/build_info.hpp"
+#include "store/files.hpp"
+#include "store/hdf5/tree.hpp"
 #include "store/table/types.hpp"
 
 namespace sigmasweep {
@@ -62,9 +62,12 @@ void put_parameters(hid_t file, const Tuple& tuple, const Trajectory& trajectory
   row.parameters = tuple.parameters;
   for (const Field& field : parameter_fields()) {
     const std::string name(field.name);
-    if (!enumerators(field.type).empty()) put_text(group, name, text(field, row));
-    else if (field.type == FieldType::real) put_real(group, name, number(field, row));
-    else put_whole(group, name, static_cast<std::int64_t>(number(field, row)));
+    if (!enumerators(field.type).empty())
+      put_text(group, name, text(field, row));
+    else if (field.type == FieldType::real)
+      put_real(group, name, number(field, row));
+    else
+      put_whole(group, name, static_cast<std::int64_t>(number(field, row)));
   }
   put_whole(group, "row", static_cast<std::int64_t>(tuple.index));
   put_whole(group, "physics_version", physics_version);

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <string>
 
-#include "sigmasweep/trajectory/trajectory.hpp"
 #include "sigmasweep/model/row.hpp"
+#include "sigmasweep/trajectory/trajectory.hpp"
 
 /// Trajectories as H5MD 1.1 files, https://www.nongnu.org/h5md/releases/h5md-1.1.0.html, one collision a file:
 ///

@@ -24,8 +24,7 @@ long double as_written(double value) {
 
 }  // namespace
 
-Axis::Scale::Scale(const Interval& given)
-    : interval(given), start(as_written(given.from)), end(as_written(given.to)) {
+Axis::Scale::Scale(const Interval& given) : interval(given), start(as_written(given.from)), end(as_written(given.to)) {
   if (!interval.log) return;
   start = std::log(start);
   end = std::log(end);

@@ -62,7 +62,7 @@ class Axis {
     std::uint64_t count;
     Sampling sampling;
     SobolDimension sobol;
-    double unit(std::uint64_t k) const;   ///< in [0, 1]
+    double unit(std::uint64_t k) const;  ///< in [0, 1]
     double point(std::uint64_t k) const;
   };
   using Values = std::variant<std::vector<double>, Range, Sample>;

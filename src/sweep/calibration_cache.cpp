@@ -12,8 +12,7 @@ namespace sigmasweep {
 namespace {
 
 constexpr auto of_material = std::to_array<std::string_view>({"law", "beta", "gamma", "material"});
-constexpr auto of_pair =
-    std::to_array<std::string_view>({"law", "beta", "gamma", "material", "K_over_m", "D_n", "v0"});
+constexpr auto of_pair = std::to_array<std::string_view>({"law", "beta", "gamma", "material", "K_over_m", "D_n", "v0"});
 
 bool has_axis(const Product::Group& group, std::span<const std::string_view> names) {
   return std::ranges::any_of(group, [&](const Product::Member& member) {

@@ -4,8 +4,8 @@
 
 #include <xxhash.h>
 
-#include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/model/fields.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
 namespace sigmasweep {

@@ -13,12 +13,12 @@ namespace {
 /// 2-core x86-64 with AVX2; good to a factor of about 3 where the exact solver stays in double precision. What it
 /// spends on chaotic or collapsing tuples is not predicted. To calibrate: run_time against predicted_time in /timings.
 struct Coefficients {
-  double start = 0.8e-6;            ///< any tuple: reducing the column, summing up
-  double wave = 1.5;                ///< fixed step: duration of the wave in tc per bead (t_k is about N tc)
-  double hard_collision = 0.12e-6;  ///< ed: a collision
+  double start = 0.8e-6;              ///< any tuple: reducing the column, summing up
+  double wave = 1.5;                  ///< fixed step: duration of the wave in tc per bead (t_k is about N tc)
+  double hard_collision = 0.12e-6;    ///< ed: a collision
   double hard_collision_bead = 3e-9;  ///< ed: a collision, each bead
-  double unequal = 1.5;             ///< soft: times equal beads
-  double tc_rule = 1.5;             ///< ed: times the rule lrv
+  double unequal = 1.5;               ///< soft: times equal beads
+  double tc_rule = 1.5;               ///< ed: times the rule lrv
 };
 constexpr Coefficients cost;
 
@@ -40,11 +40,11 @@ constexpr std::array<Step, 4> steps{{{0.0, 0.0}, {20e-9, 5e-9}, {20e-9, 2e-9}, {
 /// A lattice: what is in contact is moved by steps, in all directions; what flies costs nothing but with fixed steps.
 /// Good to a factor of 3 for 8 to 1600 beads; 10^4 take five times as long.
 struct LatticeCoefficients {
-  double bead_row = 80e-6;   ///< exact: a bead, each row, for the contacts are so long or so many; in two runs
+  double bead_row = 80e-6;      ///< exact: a bead, each row, for the contacts are so long or so many; in two runs
   double bead_period = 0.4e-3;  ///< exact: a bead, each period of the plate
-  double fixed_bead = 40e-9; ///< fixed step: a bead, each evaluation of the forces
-  double wave_row = 3.0;     ///< fixed step: duration of the wave in tc, each row
-  double least = 30.0;       ///< fixed step: duration in tc, beside wave and the quiet time at the end, 2 N sigma
+  double fixed_bead = 40e-9;    ///< fixed step: a bead, each evaluation of the forces
+  double wave_row = 3.0;        ///< fixed step: duration of the wave in tc, each row
+  double least = 30.0;          ///< fixed step: duration in tc, beside wave and the quiet time at the end, 2 N sigma
 };
 constexpr LatticeCoefficients lattice;
 constexpr std::array<double, 4> evaluations{0.0, 1.0, 1.0, 4.0};  ///< of the forces a step, in the order of Integrator

@@ -26,7 +26,10 @@ Parameters values_at(const Parameters& base, const std::vector<Product::Group>& 
 }
 
 Product::Product(const Parameters& base, Gap gap, std::vector<Group> groups)
-    : base_(base), gap_(gap), groups_(std::move(groups)), size_(size_of(groups_)),
+    : base_(base),
+      gap_(gap),
+      groups_(std::move(groups)),
+      size_(size_of(groups_)),
       contacts_(std::make_shared<const Contacts>(base_, groups_)) {}
 
 Parameters Product::at(std::uint64_t index) const {

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sweep/axis.hpp"
-#include "sigmasweep/model/fields.hpp"
 
 namespace sigmasweep {
 

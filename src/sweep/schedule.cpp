@@ -49,8 +49,10 @@ std::size_t Schedule::chunk_end(Range rows, double& left, double most_seconds) c
 
 void Schedule::pass_over(Range rows) {
   if (rows.first == rows.end) return;
-  if (!passed_over_.empty() && passed_over_.back().end == rows.first) passed_over_.back().end = rows.end;
-  else passed_over_.push_back(rows);
+  if (!passed_over_.empty() && passed_over_.back().end == rows.first)
+    passed_over_.back().end = rows.end;
+  else
+    passed_over_.push_back(rows);
 }
 
 std::span<const std::uint64_t> Schedule::next(double most_seconds) {

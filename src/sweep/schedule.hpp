@@ -39,8 +39,8 @@ class Schedule {
 
   std::vector<std::uint64_t> rows_;  ///< in the order of handing out
   std::vector<double> seconds_;      ///< of rows_
-  Range to_do_{0, 0};               ///< to be handed out, and then
-  std::vector<Range> passed_over_;  ///< these
+  Range to_do_{0, 0};                ///< to be handed out, and then
+  std::vector<Range> passed_over_;   ///< these
   int ranks_;
   double min_chunk_, max_chunk_, total_ = 0.0, longest_ = 0.0, left_ = 0.0;
 };

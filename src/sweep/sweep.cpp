@@ -13,8 +13,8 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/relevance.hpp"
-#include "sweep/spec/toml_guard.hpp"
 #include "sweep/spec/tables.hpp"
+#include "sweep/spec/toml_guard.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -22,8 +22,8 @@ namespace {
 constexpr std::array<std::string_view, 6> tables{"title", "sweep", "plot", "run", "trajectory", "precision"};
 /// Parameters that are members whether they are axes or not.
 constexpr std::array<std::string_view, 7> of_what_flies{"v0", "tc", "s0", "sigma", "N", "epsilon", "method"};
-constexpr std::array<std::string_view, 7> of_what_vibrates{"N", "epsilon", "method", "frequency", "alpha", "A0",
-                                                           "periods"};
+constexpr std::array<std::string_view, 7> of_what_vibrates{"N",     "epsilon", "method", "frequency",
+                                                           "alpha", "A0",      "periods"};
 constexpr std::array<std::string_view, 2> of_lattices{"rows", "columns"};
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
@@ -81,13 +81,20 @@ Sweep Sweep::parse(std::string_view text, const std::string& file) {
   std::optional<spec::Grid> grid;
   std::optional<spec::Entry> trajectory, precision, plot;
   for (const spec::Entry& entry : spec::entries(document, file, "")) {
-    if (entry.name == "title") title = spec::as_string(entry);
-    else if (entry.name == "sweep") grid = spec::read_sweep(entry);
-    else if (entry.name == "plot") plot = entry;
-    else if (entry.name == "run") run = spec::read_run(entry);
-    else if (entry.name == "trajectory") trajectory = entry;
-    else if (entry.name == "precision") precision = entry;
-    else spec::refuse_unknown(entry, tables);
+    if (entry.name == "title")
+      title = spec::as_string(entry);
+    else if (entry.name == "sweep")
+      grid = spec::read_sweep(entry);
+    else if (entry.name == "plot")
+      plot = entry;
+    else if (entry.name == "run")
+      run = spec::read_run(entry);
+    else if (entry.name == "trajectory")
+      trajectory = entry;
+    else if (entry.name == "precision")
+      precision = entry;
+    else
+      spec::refuse_unknown(entry, tables);
   }
   if (!grid) throw SpecError(fmt::format("{}: the table [sweep] is missing", file));
   std::vector<PlotSpec> plots{spec::usual_plot(*grid)};
@@ -106,9 +113,16 @@ Sweep Sweep::parse(std::string_view text, const std::string& file) {
   std::vector<std::string> axes;
   for (const Field* field : grid->axes) axes.emplace_back(field->name);
   auto columns = columns_of(*grid);
-  const auto impl = std::make_shared<Impl>(Impl{std::move(title), std::string(text),
-                                                XXH3_64bits(text.data(), text.size()), std::move(plots), run.manager,
-                                                *std::move(grid), std::move(axes), std::move(columns), {}, {}});
+  const auto impl = std::make_shared<Impl>(Impl{std::move(title),
+                                                std::string(text),
+                                                XXH3_64bits(text.data(), text.size()),
+                                                std::move(plots),
+                                                run.manager,
+                                                *std::move(grid),
+                                                std::move(axes),
+                                                std::move(columns),
+                                                {},
+                                                {}});
   const Sweep sweep(impl);
   impl->tuple_time_limit = run.tuple_time_limit;
   if (trajectory) impl->trajectory = spec::read_trajectory(*trajectory, sweep);

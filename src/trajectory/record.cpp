@@ -4,14 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "solve/exact/linear/column.hpp"
-#include "trajectory/record_lattice.hpp"
-#include "solve/exact/power_law/column.hpp"
-#include "assembly/ground.hpp"
-#include "solve/observer/samples.hpp"
-#include "sigmasweep/model/geometry.hpp"
 #include "assembly/column.hpp"
+#include "assembly/ground.hpp"
+#include "sigmasweep/model/geometry.hpp"
+#include "solve/exact/linear/column.hpp"
+#include "solve/exact/power_law/column.hpp"
 #include "solve/fixed_step/collision.hpp"
+#include "solve/observer/samples.hpp"
+#include "trajectory/record_lattice.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include "solve/observer/lattice_samples.hpp"
+#include "assembly/lattice.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "solve/fixed_step/collision.hpp"
-#include "assembly/lattice.hpp"
+#include "solve/observer/lattice_samples.hpp"
 
 namespace sigmasweep {
 namespace {

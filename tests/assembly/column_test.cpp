@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "sigmasweep/contact/calibration.hpp"
 #include "base/quad.hpp"
+#include "sigmasweep/contact/calibration.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -8,8 +8,8 @@ using namespace sigmasweep;
 
 namespace {
 
-constexpr std::array<std::string_view, 12> known{"v0", "tc",   "s0",         "sigma", "N",            "epsilon",
-                                                 "method", "wall", "integrator", "d",     "steps_per_tc", "tolerance"};
+constexpr std::array<std::string_view, 12> known{
+    "v0", "tc", "s0", "sigma", "N", "epsilon", "method", "wall", "integrator", "d", "steps_per_tc", "tolerance"};
 
 std::string near(std::string_view name) { return std::string(nearest(name, known).value_or("-")); }
 

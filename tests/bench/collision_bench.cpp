@@ -10,11 +10,11 @@
 #include <string>
 #include <utility>
 
-#include "sigmasweep/model/names.hpp"
 #include "base/quad.hpp"
+#include "sigmasweep/model/names.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/fixed_step/collision.hpp"
-#include "sigmasweep/solve/simulate.hpp"
 
 namespace {
 

@@ -1,13 +1,13 @@
 // Lattices of discs: what a contact costs, by the number of beads and by sigma, from event to event and by fixed steps.
-// `each`: time a contact that opened. `per_tc`: the same for a contact and the tc that it lasts: the more rows there are,
-// the longer are those below closed.
+// `each`: time a contact that opened. `per_tc`: the same for a contact and the tc that it lasts: the more rows there
+// are, the longer are those below closed.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <cstdint>
 
-#include "sigmasweep/model/names.hpp"
 #include "assembly/lattice.hpp"
+#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 
 namespace {
@@ -32,8 +32,8 @@ void count(benchmark::State& state, std::uint64_t contacts, double contact_time 
   state.counters["each"] = benchmark::Counter(
       static_cast<double>(contacts), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   if (contact_time > 0.0)
-    state.counters["per_tc"] = benchmark::Counter(
-        contact_time, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_tc"] =
+        benchmark::Counter(contact_time, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 /// One run, without the second one for an error bar.
@@ -75,12 +75,12 @@ void vibrated(benchmark::State& state, double tc, Integrator integrator) {
 
 int main(int argc, char** argv) {
   for (const auto& [rows, columns] : {std::pair(10, 13), std::pair(20, 20), std::pair(40, 40), std::pair(100, 100)})
-    benchmark::RegisterBenchmark(fmt::format("lattice/exact/sigma:1/N:{}", rows * columns).c_str(),
-                                 from_event_to_event, rows, columns, 1.0)
+    benchmark::RegisterBenchmark(fmt::format("lattice/exact/sigma:1/N:{}", rows * columns).c_str(), from_event_to_event,
+                                 rows, columns, 1.0)
         ->Unit(benchmark::kMillisecond);
   for (const double sigma : {0.01, 0.1, 10.0, 1e4})
-    benchmark::RegisterBenchmark(fmt::format("lattice/exact/sigma:{}/N:130", sigma).c_str(), from_event_to_event, 10, 13,
-                                 sigma)
+    benchmark::RegisterBenchmark(fmt::format("lattice/exact/sigma:{}/N:130", sigma).c_str(), from_event_to_event, 10,
+                                 13, sigma)
         ->Unit(benchmark::kMillisecond);
   for (const auto integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4})
     benchmark::RegisterBenchmark(fmt::format("lattice/{}/tc:100/sigma:1/N:130", name_of(integrator)).c_str(),

@@ -60,7 +60,8 @@ TEST(Law, PrefactorsOfTheTheory) {
       // Powers of numbers up to 1e15: some 40 roundings.
       EXPECT_NEAR(theory::largest_overlap({e, k, 0.0}, v) / (A1 * std::pow(v * v / k, 1.0 / n)), 1.0, 1e-14);
       EXPECT_NEAR(theory::contact_time({e, k, 0.0}, v) / (A2 * std::pow(k, -1.0 / n) * std::pow(v, -e.beta / n)), 1.0,
-                  1e-14) << name(e);
+                  1e-14)
+          << name(e);
       const double loss = C * b * std::pow(k, -p) * std::pow(v, (2.0 * e.gamma - e.beta) / n);
       EXPECT_NEAR(theory::loss({e, k, b}, v) / loss, 1.0, 1e-14) << name(e);
     });

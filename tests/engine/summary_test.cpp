@@ -24,7 +24,7 @@ Row row(double sigma, double v0, double eps_eff, Status status = Status::ok) {
 }
 
 TEST(Universality, GroupsEqualSigmaAndFindsTheWorst) {
-  const std::vector<Row> rows{row(1, 0.2, 0.5), row(0.1, 0.2, 0.9), row(1, 14, 0.5 + 3e-3),
+  const std::vector<Row> rows{row(1, 0.2, 0.5),         row(0.1, 0.2, 0.9),       row(1, 14, 0.5 + 3e-3),
                               row(0.1, 14, 0.9 + 1e-3), row(1, 0.05, 0.5 - 1e-3), row(10, 1, 0.3)};
   const Universality found = universality(rows);
   EXPECT_EQ(found.groups, 2u);

@@ -89,7 +89,7 @@ TEST(JournalFuzz, NeverCrashesNorInventsARow) {
   }
   std::printf("%llu refused, %llu accepted with %llu rows\n", static_cast<unsigned long long>(refused),
               static_cast<unsigned long long>(accepted), static_cast<unsigned long long>(found));
-  EXPECT_GT(refused, 0u);   // both ways were gone
+  EXPECT_GT(refused, 0u);  // both ways were gone
   EXPECT_GT(found, 0u);
 }
 

@@ -99,13 +99,59 @@ series = ["geometry", "side_walls"]
     "[sweep]\nmethod = 'ed'\nv0 = 1\nN = 3\nepsilon = 1\n"
     "sigma = { sample = 'uniform', from = 0, to = 1, count = 9 }\n"};
 
-const std::vector<std::string> tokens{
-    "[", "]", "{", "}", "=", ",", ".", "\"", "'", "\"\"\"", "#", "\n", "[sweep]", "[[sweep]]", "sweep.", "where = \"",
-    "&&", "||",
-    "!", "(", ")", "<", "==", "?", ":", "sigma", "N", "md", "exact", "inf", "nan", "-", "1e308", "1e-320", "0",
-    "9223372036854775807", "-9223372036854775808", "1e400", "0x10", "count = 1000000000000", "true", "1979-05-27",
-    "\\u0000",
-    "\xff", "\xe2\x82", std::string(1, '\0'), "seed = ", "scale = \"log\"", "zip = [[", "from = 0", "^", "*", "-1"};
+const std::vector<std::string> tokens{"[",
+                                      "]",
+                                      "{",
+                                      "}",
+                                      "=",
+                                      ",",
+                                      ".",
+                                      "\"",
+                                      "'",
+                                      "\"\"\"",
+                                      "#",
+                                      "\n",
+                                      "[sweep]",
+                                      "[[sweep]]",
+                                      "sweep.",
+                                      "where = \"",
+                                      "&&",
+                                      "||",
+                                      "!",
+                                      "(",
+                                      ")",
+                                      "<",
+                                      "==",
+                                      "?",
+                                      ":",
+                                      "sigma",
+                                      "N",
+                                      "md",
+                                      "exact",
+                                      "inf",
+                                      "nan",
+                                      "-",
+                                      "1e308",
+                                      "1e-320",
+                                      "0",
+                                      "9223372036854775807",
+                                      "-9223372036854775808",
+                                      "1e400",
+                                      "0x10",
+                                      "count = 1000000000000",
+                                      "true",
+                                      "1979-05-27",
+                                      "\\u0000",
+                                      "\xff",
+                                      "\xe2\x82",
+                                      std::string(1, '\0'),
+                                      "seed = ",
+                                      "scale = \"log\"",
+                                      "zip = [[",
+                                      "from = 0",
+                                      "^",
+                                      "*",
+                                      "-1"};
 
 class Fuzzer {
  public:
@@ -128,9 +174,9 @@ class Fuzzer {
 
   /// A valid spec but for a `where` of random tokens.
   std::string random_where() {
-    static const std::vector<std::string> words{
-        "sigma", "N", "method", "md", "ed", "1", "0.5", "(", ")", "&&", "||", "!", "<", ">", "==", "!=",
-        "+", "-", "*", "/", "^", "?", ":", ",", "=", "abs(", "max(", " ", "1e-3"};
+    static const std::vector<std::string> words{"sigma", "N", "method", "md", "ed", "1",    "0.5",  "(", ")",   "&&",
+                                                "||",    "!", "<",      ">",  "==", "!=",   "+",    "-", "*",   "/",
+                                                "^",     "?", ":",      ",",  "=",  "abs(", "max(", " ", "1e-3"};
     std::string expression;
     for (std::size_t i = 1 + below(12); i > 0; --i) expression += words[below(words.size())];
     return "[sweep]\nv0=1\ntc=1\nN=[1,2]\nepsilon=1\nsigma=[0,1]\nmethod=['md','ed']\nwhere='" + expression + "'\n";
@@ -146,7 +192,8 @@ class Fuzzer {
       case 1: text.erase(place, length); break;
       case 2: text.replace(place, std::min(length, text.size() - place), tokens[below(tokens.size())]); break;
       case 3: text.insert(place, text.substr(below(text.size() + 1), length)); break;
-      default: if (place < text.size()) text[place] = static_cast<char>(below(256));
+      default:
+        if (place < text.size()) text[place] = static_cast<char>(below(256));
     }
   }
 

@@ -30,17 +30,46 @@ std::string shown(std::string_view name, const Row& row) { return text(*find_fie
 }  // namespace
 
 TEST(Fields, ListsAreComplete) {
-  EXPECT_EQ(names(parameter_fields()),
-            (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "geometry", "rows",
-                                      "columns", "D_t", "side_walls", "wall", "law", "beta", "gamma", "K_over_m",
-                                      "D_n", "material", "integrator", "d", "width", "random_separation", "seed",
-                                      "ed_rule", "steps_per_tc", "tolerance", "gravity", "frequency", "alpha",
-                                      "A0", "periods", "transient"}));
+  EXPECT_EQ(names(parameter_fields()), (std::vector<std::string>{"v0",
+                                                                 "tc",
+                                                                 "s0",
+                                                                 "sigma",
+                                                                 "N",
+                                                                 "epsilon",
+                                                                 "method",
+                                                                 "geometry",
+                                                                 "rows",
+                                                                 "columns",
+                                                                 "D_t",
+                                                                 "side_walls",
+                                                                 "wall",
+                                                                 "law",
+                                                                 "beta",
+                                                                 "gamma",
+                                                                 "K_over_m",
+                                                                 "D_n",
+                                                                 "material",
+                                                                 "integrator",
+                                                                 "d",
+                                                                 "width",
+                                                                 "random_separation",
+                                                                 "seed",
+                                                                 "ed_rule",
+                                                                 "steps_per_tc",
+                                                                 "tolerance",
+                                                                 "gravity",
+                                                                 "frequency",
+                                                                 "alpha",
+                                                                 "A0",
+                                                                 "periods",
+                                                                 "transient"}));
   EXPECT_EQ(names(result_fields()),
-            (std::vector<std::string>{"eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "x_max",
-                                      "predicted_growth", "h_cm", "h_cm_error", "h_cm_excess", "separation",
-                                      "separation_max", "E_r", "cm_period", "power_in", "power_lost", "imbalance",
-                                      "contacts", "end", "status"}));
+            (std::vector<std::string>{"eps_eff",        "eps_eff_error", "Er_Ef",       "Er_E0",
+                                      "v_cm",           "t_k",           "x_max",       "predicted_growth",
+                                      "h_cm",           "h_cm_error",    "h_cm_excess", "separation",
+                                      "separation_max", "E_r",           "cm_period",   "power_in",
+                                      "power_lost",     "imbalance",     "contacts",    "end",
+                                      "status"}));
   EXPECT_EQ(names(timing_fields()), (std::vector<std::string>{"run_time", "predicted_time", "rank", "attempt"}));
   EXPECT_EQ(find_field("no such field"), nullptr);
 }

@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/names.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -123,7 +123,7 @@ TEST(WhyInvalid, LooksAtTheSizeOfLatticesOnly) {
 TEST(PlateHeight, IsEquation1AndKeepsThePhase) {
   const Parameters p = vibrated(0.0, 1.24e-3);
   EXPECT_EQ(plate_height(p, 0.0), 0.0);
-  EXPECT_NEAR(plate_height(p, 0.0125), 1.24e-3, 1e-17);       // a quarter of a period
+  EXPECT_NEAR(plate_height(p, 0.0125), 1.24e-3, 1e-17);  // a quarter of a period
   EXPECT_NEAR(plate_height(p, 0.0375), -1.24e-3, 1e-17);
   EXPECT_NEAR(plate_height(p, 5000.0 + 0.0125), 1.24e-3, 1e-12);  // 5000 s are known to 1e-12 s
 }
@@ -172,7 +172,7 @@ TEST(WhyInvalid, AcceptsTheDefaultsAndTheEndsOfTheRanges) {
 
 struct Refusal {
   const char* name;
-  double Parameters::* member;
+  double Parameters::*member;
   double value;
 };
 
@@ -189,19 +189,17 @@ TEST_P(WhyInvalidOf, NamesTheParameterAndItsValue) {
 
 INSTANTIATE_TEST_SUITE_P(
     Ranges, WhyInvalidOf,
-    testing::Values(Refusal{"v0", &Parameters::v0, 0.0}, Refusal{"v0", &Parameters::v0, -1.0},
-                    Refusal{"v0", &Parameters::v0, infinity}, Refusal{"v0", &Parameters::v0, nan},
-                    Refusal{"tc", &Parameters::tc, 0.0}, Refusal{"tc", &Parameters::tc, nan},
-                    Refusal{"s0", &Parameters::s0, -1e-9}, Refusal{"s0", &Parameters::s0, nan},
-                    Refusal{"sigma", &Parameters::sigma, -1.0}, Refusal{"sigma", &Parameters::sigma, infinity},
-                    Refusal{"epsilon", &Parameters::epsilon, 0.0}, Refusal{"epsilon", &Parameters::epsilon, 1.0000001},
-                    Refusal{"epsilon", &Parameters::epsilon, nan}, Refusal{"d", &Parameters::d, 0.0},
-                    Refusal{"steps_per_tc", &Parameters::steps_per_tc, 1.9},
-                    Refusal{"steps_per_tc", &Parameters::steps_per_tc, 1.1e6},
-                    Refusal{"steps_per_tc", &Parameters::steps_per_tc, nan},
-                    Refusal{"tolerance", &Parameters::tolerance, 0.0},
-                    Refusal{"tolerance", &Parameters::tolerance, 0.2},
-                    Refusal{"tolerance", &Parameters::tolerance, nan}));
+    testing::Values(
+        Refusal{"v0", &Parameters::v0, 0.0}, Refusal{"v0", &Parameters::v0, -1.0},
+        Refusal{"v0", &Parameters::v0, infinity}, Refusal{"v0", &Parameters::v0, nan},
+        Refusal{"tc", &Parameters::tc, 0.0}, Refusal{"tc", &Parameters::tc, nan}, Refusal{"s0", &Parameters::s0, -1e-9},
+        Refusal{"s0", &Parameters::s0, nan}, Refusal{"sigma", &Parameters::sigma, -1.0},
+        Refusal{"sigma", &Parameters::sigma, infinity}, Refusal{"epsilon", &Parameters::epsilon, 0.0},
+        Refusal{"epsilon", &Parameters::epsilon, 1.0000001}, Refusal{"epsilon", &Parameters::epsilon, nan},
+        Refusal{"d", &Parameters::d, 0.0}, Refusal{"steps_per_tc", &Parameters::steps_per_tc, 1.9},
+        Refusal{"steps_per_tc", &Parameters::steps_per_tc, 1.1e6},
+        Refusal{"steps_per_tc", &Parameters::steps_per_tc, nan}, Refusal{"tolerance", &Parameters::tolerance, 0.0},
+        Refusal{"tolerance", &Parameters::tolerance, 0.2}, Refusal{"tolerance", &Parameters::tolerance, nan}));
 
 TEST(WhyInvalid, RefusesNumbersOfBeads) {
   for (const std::int64_t N : {std::int64_t{0}, std::int64_t{-3}, std::int64_t{1'000'001}}) {

@@ -30,7 +30,7 @@ using Points = std::vector<plot::Point>;
 
 TEST(PlotFit, LeastSquaresOfAWorkedExample) {
   // Anscombe's first data set (The American Statistician 27, 17 (1973)): 3.000 + 0.500 x, standard error 0.118.
-  const Points points{{10, 8.04}, {8, 6.95}, {13, 7.58}, {9, 8.81}, {11, 8.33}, {14, 9.96},
+  const Points points{{10, 8.04}, {8, 6.95}, {13, 7.58},  {9, 8.81}, {11, 8.33}, {14, 9.96},
                       {6, 7.24},  {4, 4.26}, {12, 10.84}, {7, 4.82}, {5, 5.68}};
   const auto fit = plot::fit(points, {.form = FitSpec::Form::line});
   ASSERT_TRUE(fit.has_value());
@@ -253,8 +253,7 @@ TEST(PlotFigure, JoinedPointsGoFromLeftToRight) {
 TEST(PlotLabels, ExpressionsInSymbols) {
   EXPECT_EQ(plot::expression_label("1-eps_eff"), "1 − {/:Italic ε}_{eff}");
   EXPECT_EQ(plot::expression_label("N*tc"), "{/:Italic N}\u2009{/:Italic t}_c");
-  EXPECT_EQ(plot::expression_label("(1 - eps_eff) / (1 - epsilon)"),
-            "(1 − {/:Italic ε}_{eff})/(1 − {/:Italic ε})");
+  EXPECT_EQ(plot::expression_label("(1 - eps_eff) / (1 - epsilon)"), "(1 − {/:Italic ε}_{eff})/(1 − {/:Italic ε})");
   EXPECT_EQ(plot::expression_label("-v0^2"), "−{/:Italic v}_0^{2}");
   EXPECT_EQ(plot::expression_label("log10(t_k)"), "log10({/:Italic t}_k)");
 }

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "solve/any_parameters.hpp"
-#include "solve/hard_spheres/plain_hard_spheres.hpp"
 #include "base/quad.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+#include "solve/any_parameters.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"
-#include "sigmasweep/solve/simulate.hpp"
+#include "solve/hard_spheres/plain_hard_spheres.hpp"
 
 namespace {
 

@@ -75,9 +75,9 @@ inline void draw_stiffness(Parameters& p) {
 
 inline Parameters drawn(Solver solver, int most_beads = 30) {
   Parameters p;
-  p.method = solver == Solver::hard                             ? Method::ed
+  p.method = solver == Solver::hard                                  ? Method::ed
              : solver == Solver::any && *rc::gen::inRange(0, 3) == 2 ? Method::ed
-                                                                : Method::md;
+                                                                     : Method::md;
   p.law = p.method == Method::ed ? Law::hooke : drawn_law(solver);
   if (p.law == Law::power) {
     p.beta = 0.125 * *rc::gen::inRange(0, 13);

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <string>
 
-#include "solve/any_parameters.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/any_parameters.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "solve/books.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/books.hpp"
 
 namespace {
 
@@ -75,8 +75,8 @@ TEST(Balance, OfOverdampedPairs) {
 
 // A light bead among others has 1/sqrt(m) times the frequencies; a heavy one feels next to nothing for long.
 TEST(Balance, OfMassesThatDifferByAMillion) {
-  const std::vector<std::vector<double>> cases{{1, 1e-6, 1}, {1e-6, 1, 1}, {1, 1, 1e-6},
-                                               {1e6, 1, 1}, {1, 1e6, 1},  {1, 1, 1e6}, {1e-3, 1e3, 1, 1e-3, 1e3}};
+  const std::vector<std::vector<double>> cases{
+      {1, 1e-6, 1}, {1e-6, 1, 1}, {1, 1, 1e-6}, {1e6, 1, 1}, {1, 1e6, 1}, {1, 1, 1e6}, {1e-3, 1e3, 1, 1e-3, 1e3}};
   for (const auto& mass : cases)
     for (const double epsilon : {1.0, 0.9, 0.5, 0.1})
       for (const double sigma : {0.0, 0.3}) {
@@ -119,8 +119,8 @@ TEST(Balance, OfLawsThatAreNotLinear) {
           Parameters p = tuple(N, epsilon, sigma, law);
           if (law == Law::power) p.beta = 1.5, p.gamma = 0.75;
           if (!why_invalid(p).empty()) continue;
-          SCOPED_TRACE(testing::Message() << "law " << int(law) << " N " << N << " eps " << epsilon << " sigma "
-                                          << sigma);
+          SCOPED_TRACE(testing::Message()
+                       << "law " << int(law) << " N " << N << " eps " << epsilon << " sigma " << sigma);
           expect_balance(reduced_column<double>(p), 6.0, 1e-10);
         }
 }
@@ -163,7 +163,9 @@ TEST(Balance, OfHardSpheres) {
           fall = std::max(fall, books.momentum[j - 1] - books.momentum[j]);
         EXPECT_LE(fall, roundings * double(N));
         EXPECT_LE(books.largest_rise_of_energy(), roundings * double(N));
-        if (epsilon == 1.0) { EXPECT_NEAR(books.energy.back(), books.energy.front(), roundings * double(N)); }
+        if (epsilon == 1.0) {
+          EXPECT_NEAR(books.energy.back(), books.energy.front(), roundings * double(N));
+        }
       }
 }
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "solve/observer/samples.hpp"
 #include "assembly/column.hpp"
+#include "solve/observer/samples.hpp"
 
 /// The books of a collision, kept from its film alone: energy and momentum, and what dashpots and the wall have done
 /// meanwhile, by adaptive quadrature (Lobatto's five points against twice five, halved until they agree). That settles
@@ -17,7 +17,7 @@ namespace sigmasweep::books {
 
 /// At the ends of the intervals that the duration was divided into.
 struct Books {
-  std::vector<double> energy, momentum;             ///< elastic energy included
+  std::vector<double> energy, momentum;            ///< elastic energy included
   std::vector<double> dashpot_work, wall_impulse;  ///< so far
 
   /// Largest difference between what is there and what came and went.

@@ -6,10 +6,10 @@
 #include <random>
 #include <vector>
 
-#include "solve/observer/samples.hpp"
-#include "solve/exact/linear/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
+#include "solve/exact/linear/collision.hpp"
+#include "solve/observer/samples.hpp"
 
 namespace {
 

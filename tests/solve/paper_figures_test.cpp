@@ -67,8 +67,8 @@ TEST(PaperFigures, Fig2bLossFallsWithLengthAndWithRestitution) {
 
 TEST(PaperFigures, Fig2cRelativeEnergyOfTenBeads) {
   EXPECT_NEAR(touching(10, 0.9).Er_Ef, 0.0338592, 0.5e-7);
-  EXPECT_NEAR(touching(10, 0.9).Er_Ef, 0.035, 0.0015);                 // the paper's, 3.4 % off
-  EXPECT_GT(touching(10, 0.6).Er_Ef, touching(10, 0.9).Er_Ef);         // "even in the case of very high dissipation"
+  EXPECT_NEAR(touching(10, 0.9).Er_Ef, 0.035, 0.0015);          // the paper's, 3.4 % off
+  EXPECT_GT(touching(10, 0.6).Er_Ef, touching(10, 0.9).Er_Ef);  // "even in the case of very high dissipation"
 }
 
 TEST(PaperFigures, ContactTimeIsAboutNTimesThatOfAPair) {

@@ -28,7 +28,11 @@ class Solver {
  public:
   /// `step` must be short against the fastest motion. Work of the dashpots only if asked: it is slow.
   Solver(const Column<double>& column, double step, bool work = false)
-      : column_(column), n_(column.N), step_(step), work_(work), closed_(std::size_t(n_), false),
+      : column_(column),
+        n_(column.N),
+        step_(step),
+        work_(work),
+        closed_(std::size_t(n_), false),
         z_(Vector::Zero(2 * n_)) {
     for (Eigen::Index k = 1; k < n_; ++k) z_(k) = -Scalar(column.initial_gap(std::size_t(k)));
     z_(n_) = column.speed;

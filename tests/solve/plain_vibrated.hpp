@@ -37,7 +37,8 @@ struct Plain {
     for (Long after = step;; after += step) {
       if (above_plate(after) < 0) {
         if (before == 0)  // a short hop: up to its top it is above the plate
-          for (before = after; above_plate(before) < 0; before /= 2) {}
+          for (before = after; above_plate(before) < 0; before /= 2) {
+          }
         for (int i = 0; i < 100; ++i) {
           const Long middle = (before + after) / 2;
           (above_plate(middle) < 0 ? after : before) = middle;

@@ -13,8 +13,8 @@
 namespace sigmasweep {
 namespace {
 
-using samples::Directory;
 using samples::bytes_of;
+using samples::Directory;
 using samples::put_bytes;
 
 constexpr double any = std::numeric_limits<double>::quiet_NaN();

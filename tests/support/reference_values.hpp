@@ -151,22 +151,14 @@ struct Collapse {
 };
 
 inline constexpr Collapse collapse[] = {
-    {2, Wall::matched, false, 0.1715729142, 1e-07},
-    {2, Wall::paper, false, 0.1116744346, 1e-07},
-    {2, Wall::paper, true, 0.1116744346, 1e-07},
-    {3, Wall::matched, true, 0.3333333750, 1e-07},
-    {3, Wall::paper, false, 0.2958198446, 1e-07},
-    {5, Wall::matched, true, 0.5302265585, 1e-04},
-    {6, Wall::matched, false, 0.5925200712, 1e-03},
-    {6, Wall::matched, true, 0.5919620228, 1e-04},
-    {6, Wall::paper, false, 0.5756901468, 1e-03},
-    {6, Wall::paper, true, 0.5771868507, 1e-04},
-    {7, Wall::matched, true, 0.6364700258, 1e-04},
-    {8, Wall::matched, false, 0.6728751868, 1e-03},
-    {8, Wall::paper, false, 0.6637500016, 1e-03},
-    {8, Wall::paper, true, 0.6654706661, 1e-04},
-    {9, Wall::paper, true, 0.6960800014, 1e-04},
-    {10, Wall::matched, false, 0.7242606374, 1e-03},
+    {2, Wall::matched, false, 0.1715729142, 1e-07}, {2, Wall::paper, false, 0.1116744346, 1e-07},
+    {2, Wall::paper, true, 0.1116744346, 1e-07},    {3, Wall::matched, true, 0.3333333750, 1e-07},
+    {3, Wall::paper, false, 0.2958198446, 1e-07},   {5, Wall::matched, true, 0.5302265585, 1e-04},
+    {6, Wall::matched, false, 0.5925200712, 1e-03}, {6, Wall::matched, true, 0.5919620228, 1e-04},
+    {6, Wall::paper, false, 0.5756901468, 1e-03},   {6, Wall::paper, true, 0.5771868507, 1e-04},
+    {7, Wall::matched, true, 0.6364700258, 1e-04},  {8, Wall::matched, false, 0.6728751868, 1e-03},
+    {8, Wall::paper, false, 0.6637500016, 1e-03},   {8, Wall::paper, true, 0.6654706661, 1e-04},
+    {9, Wall::paper, true, 0.6960800014, 1e-04},    {10, Wall::matched, false, 0.7242606374, 1e-03},
     {10, Wall::matched, true, 0.7309810839, 1e-04},
 };
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/column.hpp"
+#include "sigmasweep/model/parameters.hpp"
 
 /// Columns of soft spheres as tests want them.
 namespace sigmasweep {

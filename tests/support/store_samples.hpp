@@ -133,9 +133,9 @@ inline std::vector<std::uint64_t> bits(const Row& r) {
   for (const double x : {c.eps_eff, c.eps_eff_error, c.Er_Ef, c.Er_E0, c.v_cm, c.t_k, c.x_max, r.timing.run_time,
                          r.timing.predicted_time})
     all.push_back(std::bit_cast<std::uint64_t>(x));
-  for (const std::uint64_t x : {c.contacts, static_cast<std::uint64_t>(c.end), static_cast<std::uint64_t>(c.status),
-                                static_cast<std::uint64_t>(r.timing.rank),
-                                static_cast<std::uint64_t>(r.timing.attempt)})
+  for (const std::uint64_t x :
+       {c.contacts, static_cast<std::uint64_t>(c.end), static_cast<std::uint64_t>(c.status),
+        static_cast<std::uint64_t>(r.timing.rank), static_cast<std::uint64_t>(r.timing.attempt)})
     all.push_back(x);
   return all;
 }

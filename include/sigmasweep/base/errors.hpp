@@ -16,10 +16,20 @@ class Error : public std::runtime_error {
   int exit_code_;
 };
 
-struct UsageError : Error { explicit UsageError(const std::string& m) : Error(64, m) {} };        ///< bad command line
-struct SpecError : Error { explicit SpecError(const std::string& m) : Error(65, m) {} };          ///< bad sweep spec
-struct InputNotFound : Error { explicit InputNotFound(const std::string& m) : Error(66, m) {} };  ///< no such input
-struct OutputError : Error { explicit OutputError(const std::string& m) : Error(73, m) {} };      ///< cannot be created
-struct IoError : Error { explicit IoError(const std::string& m) : Error(74, m) {} };              ///< read/write failed
+struct UsageError : Error {
+  explicit UsageError(const std::string& m) : Error(64, m) {}
+};  ///< bad command line
+struct SpecError : Error {
+  explicit SpecError(const std::string& m) : Error(65, m) {}
+};  ///< bad sweep spec
+struct InputNotFound : Error {
+  explicit InputNotFound(const std::string& m) : Error(66, m) {}
+};  ///< no such input
+struct OutputError : Error {
+  explicit OutputError(const std::string& m) : Error(73, m) {}
+};  ///< cannot be created
+struct IoError : Error {
+  explicit IoError(const std::string& m) : Error(74, m) {}
+};  ///< read/write failed
 
 }  // namespace sigmasweep

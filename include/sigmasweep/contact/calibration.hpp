@@ -6,8 +6,8 @@ namespace sigmasweep {
 /// x'' + 2 mu x' + omega0^2 x = 0 for the overlap x of a pair, Eq. (5).
 template <class Real>
 struct Oscillator {
-  Real mu{};       ///< damping rate, 1/time
-  Real omega0_2{}; ///< omega0^2, 1/time^2
+  Real mu{};        ///< damping rate, 1/time
+  Real omega0_2{};  ///< omega0^2, 1/time^2
 };
 
 /// mu = L/tc, omega0^2 = (pi/tc)^2 + mu^2, L = -ln eps; from Eqs. (6), (7). Any tc > 0, 0 < eps <= 1.

@@ -14,8 +14,21 @@
 namespace sigmasweep {
 
 enum class FieldType : std::uint8_t {
-  real, integer, unsigned_integer, integer32, method, wall, integrator, end, status, law, material, ed_rule, flag,
-  geometry, side_walls
+  real,
+  integer,
+  unsigned_integer,
+  integer32,
+  method,
+  wall,
+  integrator,
+  end,
+  status,
+  law,
+  material,
+  ed_rule,
+  flag,
+  geometry,
+  side_walls
 };
 
 struct Field {
@@ -23,7 +36,7 @@ struct Field {
   std::string_view unit;     ///< SI; "1" where there is none
   std::string_view meaning;  ///< one line, for the table's attributes and help
   FieldType type;
-  std::size_t offset;        ///< within Row
+  std::size_t offset;  ///< within Row
 };
 
 std::span<const Field> parameter_fields();

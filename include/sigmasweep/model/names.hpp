@@ -15,17 +15,28 @@ namespace sigmasweep {
 template <class Enum>
 std::span<const std::string_view> names_of();
 
-template <> std::span<const std::string_view> names_of<Method>();
-template <> std::span<const std::string_view> names_of<Geometry>();
-template <> std::span<const std::string_view> names_of<Wall>();
-template <> std::span<const std::string_view> names_of<Integrator>();
-template <> std::span<const std::string_view> names_of<Law>();
-template <> std::span<const std::string_view> names_of<Material>();
-template <> std::span<const std::string_view> names_of<EdRule>();
-template <> std::span<const std::string_view> names_of<Flag>();
-template <> std::span<const std::string_view> names_of<SideWalls>();
-template <> std::span<const std::string_view> names_of<End>();
-template <> std::span<const std::string_view> names_of<Status>();
+template <>
+std::span<const std::string_view> names_of<Method>();
+template <>
+std::span<const std::string_view> names_of<Geometry>();
+template <>
+std::span<const std::string_view> names_of<Wall>();
+template <>
+std::span<const std::string_view> names_of<Integrator>();
+template <>
+std::span<const std::string_view> names_of<Law>();
+template <>
+std::span<const std::string_view> names_of<Material>();
+template <>
+std::span<const std::string_view> names_of<EdRule>();
+template <>
+std::span<const std::string_view> names_of<Flag>();
+template <>
+std::span<const std::string_view> names_of<SideWalls>();
+template <>
+std::span<const std::string_view> names_of<End>();
+template <>
+std::span<const std::string_view> names_of<Status>();
 
 template <class Enum>
 std::string_view name_of(Enum value) {

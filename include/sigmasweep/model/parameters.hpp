@@ -39,34 +39,34 @@ enum class EdRule : std::uint8_t { lrv, tc };
 enum class Flag : std::uint8_t { no, yes };
 
 /// Everything that defines one collision of a column of N beads with a fixed wall, or one run of a vibrated column, or
-/// of a lattice instead. SI units. A plain value of fixed size: it is sent between ranks as it is. Stiffness and damping
-/// are given by (tc, epsilon), by (K_over_m, D_n) or by the material; s0 and sigma = s0/(v0 tc) are kept together, as
-/// are alpha and A0. complete() fills in the rest.
+/// of a lattice instead. SI units. A plain value of fixed size: it is sent between ranks as it is. Stiffness and
+/// damping are given by (tc, epsilon), by (K_over_m, D_n) or by the material; s0 and sigma = s0/(v0 tc) are kept
+/// together, as are alpha and A0. complete() fills in the rest.
 struct Parameters {
-  double v0 = 1.0;             ///< approach speed of the column, m/s
-  double tc = 1e-5;            ///< contact time of a pair at v0, s: Eq. (6); of laws that are not linear Eq. (A2)
-  double s0 = 0.0;             ///< initial gap between neighbours and to the wall, m
-  double sigma = 0.0;          ///< s0/(v0 tc), no unit
-  double epsilon = 0.9;        ///< restitution of a pair that meets at v0, 0 < epsilon <= 1; Eq. (7). 0: see complete()
-  double K_over_m = 0.0;       ///< spring over reduced mass, 1/(s^2 m^beta); 0: from tc
-  double D_n = 0.0;            ///< dashpot over m_ij, twice the reduced mass, 1/(s m^gamma); only with K_over_m
-  double beta = 0.0;           ///< power law: exponent of the spring
-  double gamma = 0.0;          ///< power law: exponent of the dashpot
-  double d = 1e-3;             ///< bead diameter, m; drops out of a column's results, the linear law without gravity
-  double D_t = 0.0;            ///< lattice: tangential dashpot over m_ij, Eq. (4), 1/s
-  double width = 0.0;          ///< diameters are uniform in d +- width/2, m; masses go with their cubes
-  double steps_per_tc = 100.0; ///< fixed-step integrators: time step tc/steps_per_tc; 0: chosen by the tolerance
-  double tolerance = 1e-10;    ///< exact, or a chosen step: wanted absolute error of eps_eff
-  double gravity = 9.81;       ///< vibrated column: m/s^2
-  double frequency = 20.0;     ///< f of the plate z0(t) = A0 sin(2 pi f t), Eq. (1), Hz
-  double alpha = 0.0;          ///< A0 (2 pi f)^2/g, the plate's largest acceleration over gravity
-  double A0 = 0.0;             ///< the plate's amplitude, m
-  std::int64_t periods = 120;  ///< of the plate: how long a vibrated column is followed
-  std::int64_t transient = 20; ///< of these, the first ones, which no average takes in
-  std::int64_t N = 10;         ///< number of beads; of a lattice rows times columns
-  std::int64_t rows = 10;      ///< lattice: its height h
-  std::int64_t columns = 13;   ///< lattice: beads in a row
-  std::int64_t seed = 0;       ///< of random diameters and separations
+  double v0 = 1.0;        ///< approach speed of the column, m/s
+  double tc = 1e-5;       ///< contact time of a pair at v0, s: Eq. (6); of laws that are not linear Eq. (A2)
+  double s0 = 0.0;        ///< initial gap between neighbours and to the wall, m
+  double sigma = 0.0;     ///< s0/(v0 tc), no unit
+  double epsilon = 0.9;   ///< restitution of a pair that meets at v0, 0 < epsilon <= 1; Eq. (7). 0: see complete()
+  double K_over_m = 0.0;  ///< spring over reduced mass, 1/(s^2 m^beta); 0: from tc
+  double D_n = 0.0;       ///< dashpot over m_ij, twice the reduced mass, 1/(s m^gamma); only with K_over_m
+  double beta = 0.0;      ///< power law: exponent of the spring
+  double gamma = 0.0;     ///< power law: exponent of the dashpot
+  double d = 1e-3;        ///< bead diameter, m; drops out of a column's results, the linear law without gravity
+  double D_t = 0.0;       ///< lattice: tangential dashpot over m_ij, Eq. (4), 1/s
+  double width = 0.0;     ///< diameters are uniform in d +- width/2, m; masses go with their cubes
+  double steps_per_tc = 100.0;  ///< fixed-step integrators: time step tc/steps_per_tc; 0: chosen by the tolerance
+  double tolerance = 1e-10;     ///< exact, or a chosen step: wanted absolute error of eps_eff
+  double gravity = 9.81;        ///< vibrated column: m/s^2
+  double frequency = 20.0;      ///< f of the plate z0(t) = A0 sin(2 pi f t), Eq. (1), Hz
+  double alpha = 0.0;           ///< A0 (2 pi f)^2/g, the plate's largest acceleration over gravity
+  double A0 = 0.0;              ///< the plate's amplitude, m
+  std::int64_t periods = 120;   ///< of the plate: how long a vibrated column is followed
+  std::int64_t transient = 20;  ///< of these, the first ones, which no average takes in
+  std::int64_t N = 10;          ///< number of beads; of a lattice rows times columns
+  std::int64_t rows = 10;       ///< lattice: its height h
+  std::int64_t columns = 13;    ///< lattice: beads in a row
+  std::int64_t seed = 0;        ///< of random diameters and separations
   Geometry geometry = Geometry::column;
   Method method = Method::md;
   Wall wall = Wall::paper;
@@ -75,7 +75,7 @@ struct Parameters {
   Material material = Material::none;
   EdRule ed_rule = EdRule::lrv;
   SideWalls side_walls = SideWalls::periodic;  ///< lattice
-  Flag random_separation = Flag::no;  ///< each bead shifted by up to +- s0/2 at the start, Sec. IV
+  Flag random_separation = Flag::no;           ///< each bead shifted by up to +- s0/2 at the start, Sec. IV
 };
 
 /// Which of the two gap parameters was given; the other one follows from it.

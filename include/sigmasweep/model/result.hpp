@@ -25,7 +25,7 @@ enum class Status : std::uint8_t {
   non_finite,        ///< an infinity or NaN came up: no result
   failed,            ///< the solver threw: no result
   not_run,
-  quarantined        ///< the process died twice while it was computed, and it is not tried again: no result
+  quarantined  ///< the process died twice while it was computed, and it is not tried again: no result
 };
 
 /// Whether a row with this status holds what was asked for.

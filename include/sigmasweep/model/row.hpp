@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "sigmasweep/model/result.hpp"
 #include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 
 namespace sigmasweep {
 

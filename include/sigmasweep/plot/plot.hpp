@@ -12,7 +12,7 @@ namespace sigmasweep {
 
 /// The line fitted to one series of a plot (see FitSpec).
 struct SeriesFit {
-  std::string series;        ///< "epsilon = 0.6"
+  std::string series;  ///< "epsilon = 0.6"
   double slope = 0.0;
   double slope_error = 0.0;  ///< standard error; NaN for two points
   double prefactor = 0.0;    ///< A of y = A x^slope; of a line its value at x = 0

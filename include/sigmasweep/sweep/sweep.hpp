@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "sigmasweep/model/fields.hpp"
-#include "sigmasweep/studies/precision/study.hpp"
 #include "sigmasweep/model/row.hpp"
+#include "sigmasweep/studies/precision/study.hpp"
 #include "sigmasweep/sweep/trajectory_spec.hpp"
 
 namespace sigmasweep {
@@ -28,11 +28,11 @@ struct FitSpec {
 /// against log x where both axes are logarithmic) through a point.
 struct GuideSpec {
   std::string label;
-  std::optional<double> y{};                      ///< horizontal; else:
-  std::string curve{};                            ///< y as an expression of x (see FunctionOfX); empty:
+  std::optional<double> y{};  ///< horizontal; else:
+  std::string curve{};        ///< y as an expression of x (see FunctionOfX); empty:
   double slope = 0.0;
-  std::optional<std::array<double, 2>> through{}; ///< the point; else the last one (largest x) of
-  std::string where{};                            ///< the rows drawn for which this holds; empty: of all
+  std::optional<std::array<double, 2>> through{};          ///< the point; else the last one (largest x) of
+  std::string where{};                                     ///< the rows drawn for which this holds; empty: of all
   double from = -std::numeric_limits<double>::infinity();  ///< drawn over this range of x only
   double to = std::numeric_limits<double>::infinity();
 };
@@ -45,20 +45,20 @@ enum class PlotKind { points, trajectories, stability };
 /// [plot] of a spec, or one of several [[plot]]. Where all columns of a sweep are vibrated it is h_cm_excess against
 /// alpha on a linear axis unless the spec says something else.
 struct PlotSpec {
-  std::string name;                 ///< letters, digits, '-', '_'; empty: none
+  std::string name;  ///< letters, digits, '-', '_'; empty: none
   PlotKind kind = PlotKind::points;
   std::string x = "sigma", y = "eps_eff";  ///< fields, or expressions over them (see Formula)
-  std::string y_error;              ///< the same, for error bars; empty: h_cm_error of h_cm and h_cm_excess, else none
-  std::string x_label, y_label;     ///< empty: made from x and y
+  std::string y_error;           ///< the same, for error bars; empty: h_cm_error of h_cm and h_cm_excess, else none
+  std::string x_label, y_label;  ///< empty: made from x and y
   bool x_log = true, y_log = false;
-  std::vector<std::string> series;  ///< names of fields: one curve per distinct combination
-  std::string title;                ///< empty: the sweep's title
-  std::string where;                ///< a condition on the rows drawn (see Where); empty: all
+  std::vector<std::string> series;     ///< names of fields: one curve per distinct combination
+  std::string title;                   ///< empty: the sweep's title
+  std::string where;                   ///< a condition on the rows drawn (see Where); empty: all
   std::vector<std::string> mean_over;  ///< fields: rows of a series that agree in x but for these are averaged
-  bool lines = false;               ///< the points of a series joined
+  bool lines = false;                  ///< the points of a series joined
   std::optional<FitSpec> fit;
   std::vector<GuideSpec> guides;
-  bool by_phase = false;            ///< trajectories against the phase of the plate, not time
+  bool by_phase = false;  ///< trajectories against the phase of the plate, not time
 };
 
 /// Whether the manager rank also computes. automatic: yes, unless there are many ranks.
@@ -100,8 +100,8 @@ class Sweep {
   static Sweep load(const std::string& path);
 
   const std::string& title() const;
-  const std::string& text() const;       ///< the spec's whole text
-  std::uint64_t hash() const;            ///< xxh3 of the text
+  const std::string& text() const;  ///< the spec's whole text
+  std::uint64_t hash() const;       ///< xxh3 of the text
   /// At least one. The first is the main one: [plot], or of several [[plot]] the one without a name, or the first.
   const std::vector<PlotSpec>& plots() const;
   ManagerRole manager() const;
@@ -110,7 +110,7 @@ class Sweep {
   const std::optional<TrajectorySpec>& trajectory() const;  ///< if the spec has one
   const std::optional<PrecisionSpec>& precision() const;    ///< if the spec has one
 
-  std::uint64_t size() const;            ///< number of rows, at least 1
+  std::uint64_t size() const;  ///< number of rows, at least 1
   /// Parameters of a row, s0 and sigma both filled in. Throws std::out_of_range. Safe from several threads at once.
   Parameters at(std::uint64_t row) const;
   /// Names of the parameters that are axes, in spec order.

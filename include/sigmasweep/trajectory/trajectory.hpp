@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "sigmasweep/model/result.hpp"
 #include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 
 /// A collision as a film: where the beads are, and how fast, at given times.
 namespace sigmasweep {

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
-#include "sigmasweep/base/errors.hpp"
 #include "engine/stored_sweep.hpp"
+#include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {
 namespace {

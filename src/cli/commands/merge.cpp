@@ -6,20 +6,18 @@
 #include <set>
 #include <utility>
 
+#include "base/exit_codes.hpp"
 #include "cli/commands.hpp"
 #include "engine/ledger.hpp"
-#include "base/exit_codes.hpp"
-#include "sigmasweep/base/errors.hpp"
-#include "engine/summary.hpp"
-#include "store/table/table.hpp"
 #include "engine/stored_sweep.hpp"
+#include "engine/summary.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "store/table/table.hpp"
 
 namespace sigmasweep {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw Error(exit_code::bad_data, what + "; nothing was written");
-}
+[[noreturn]] void refuse(const std::string& what) { throw Error(exit_code::bad_data, what + "; nothing was written"); }
 
 /// The table of a part, which must be of this sweep (the first part: of any) and of this program.
 Table read_part(const std::string& path, const TableInfo* first) {
@@ -46,7 +44,8 @@ void add(std::vector<Row>& rows, const Table& part, const std::string& path) {
   std::uint64_t count = 0;
   for (const Row& row : part.rows) {
     Row& there = rows[row.index];
-    if (!is_there(there)) there = row;
+    if (!is_there(there))
+      there = row;
     else if (!same_bits(there, row) && ++count <= 10)
       differing += fmt::format("{}{}", count > 1 ? ", " : "", row.index);
   }

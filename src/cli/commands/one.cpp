@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "engine/compute.hpp"
 #include "cli/json_row.hpp"
+#include "engine/compute.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/names.hpp"
-#include "sigmasweep/sweep/sweep.hpp"
 #include "sigmasweep/model/relevance.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -4,10 +4,10 @@
 #include <numeric>
 
 #include "cli/commands.hpp"
-#include "sigmasweep/sweep/cost.hpp"
-#include "sweep/schedule.hpp"
-#include "sigmasweep/sweep/sweep.hpp"
 #include "engine/unstable_rows.hpp"
+#include "sigmasweep/sweep/cost.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+#include "sweep/schedule.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -4,14 +4,14 @@
 
 #include "cli/commands.hpp"
 #include "cli/commands/plot_films.hpp"
+#include "engine/stored_sweep.hpp"
 #include "plot/named.hpp"
-#include "studies/precision/pictures.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/plot/plot.hpp"
 #include "studies/precision/measure.hpp"
-#include "studies/stability/map_text_and_plot.hpp"
+#include "studies/precision/pictures.hpp"
 #include "studies/precision/table.hpp"
-#include "engine/stored_sweep.hpp"
+#include "studies/stability/map_text_and_plot.hpp"
 
 namespace sigmasweep {
 namespace {

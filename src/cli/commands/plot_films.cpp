@@ -8,14 +8,14 @@
 #include <limits>
 #include <vector>
 
-#include "sigmasweep/base/errors.hpp"
+#include "engine/trajectory_files.hpp"
 #include "plot/films/lattice.hpp"
-#include "plot/films/trajectories.hpp"
 #include "plot/films/plot_velocity_field.hpp"
+#include "plot/films/trajectories.hpp"
 #include "plot/row_choice.hpp"
+#include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
 #include "store/h5md.hpp"
-#include "engine/trajectory_files.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -53,12 +53,14 @@ void plot_films(const StoredSweep& stored, const PlotSpec& spec, const std::stri
   if (planes == std::ssize(panels) && spec.by_phase)
     return plot_velocity_fields(panels, sweep.axes(), spec.mean_over, title, file);
   if (!spec.mean_over.empty())
-    throw UsageError("plot: of trajectories only velocities of lattices by phase have means: 'mean_over' needs "
-                     "geometry = 'vibrated-lattice' and x = 'phase'");
+    throw UsageError(
+        "plot: of trajectories only velocities of lattices by phase have means: 'mean_over' needs "
+        "geometry = 'vibrated-lattice' and x = 'phase'");
   if (planes == std::ssize(panels)) return plot_lattices(panels, sweep.axes(), title, file);
   if (planes > 0)
-    throw UsageError("plot: trajectories of columns and of lattices find no place on one picture: choose with 'where' "
-                     "in [plot]");
+    throw UsageError(
+        "plot: trajectories of columns and of lattices find no place on one picture: choose with 'where' "
+        "in [plot]");
   const std::uint64_t columns = sweep.axes().empty() ? 1 : sweep.axis_sizes().back();
   plot_trajectories(panels, columns, sweep.axes(), title, file, spec.by_phase);
 }

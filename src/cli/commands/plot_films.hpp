@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "sigmasweep/sweep/sweep.hpp"
 #include "engine/stored_sweep.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
 
 namespace sigmasweep {
 

@@ -3,8 +3,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/json_row.hpp"
-#include "sweep/expression/where.hpp"
 #include "engine/stored_sweep.hpp"
+#include "sweep/expression/where.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -4,8 +4,7 @@
 
 namespace sigmasweep {
 
-LocalWorker::LocalWorker(const Compute& compute)
-    : thread_([this, &compute] { work(*this, compute); }) {}
+LocalWorker::LocalWorker(const Compute& compute) : thread_([this, &compute] { work(*this, compute); }) {}
 
 LocalWorker::~LocalWorker() {
   say_quit();

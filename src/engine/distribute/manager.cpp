@@ -4,10 +4,10 @@
 #include <thread>
 #include <utility>
 
-#include "engine/distribute/messages.hpp"
 #include "engine/distribute/backoff.hpp"
-#include "sigmasweep/sweep/cost.hpp"
+#include "engine/distribute/messages.hpp"
 #include "mpi/world_impl.hpp"
+#include "sigmasweep/sweep/cost.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -19,8 +19,10 @@ constexpr double prefetch_seconds = 0.05;     // fifty times the manager's longe
 
 Manager::Manager(const World& world, Schedule& schedule, const Job& job)
     : workers_(world.impl().communicator), schedule_(schedule), job_(job), worker_(world.size()) {
-  if (job.manager_computes || world.size() == 1) own_worker_.emplace(job.compute);
-  else worker_[message::manager_rank].dismissed = worker_[message::manager_rank].gone = true;
+  if (job.manager_computes || world.size() == 1)
+    own_worker_.emplace(job.compute);
+  else
+    worker_[message::manager_rank].dismissed = worker_[message::manager_rank].gone = true;
   left_ = static_cast<int>(std::count_if(worker_.begin(), worker_.end(), [](const Worker& w) { return !w.gone; }));
 }
 

@@ -26,9 +26,9 @@ class Manager {
 
  private:
   struct Worker {
-    std::uint64_t rows_out = 0;         ///< handed out, not back yet
+    std::uint64_t rows_out = 0;  ///< handed out, not back yet
     std::uint64_t last_chunk_rows = 0;
-    double last_chunk_seconds = 0.0;    ///< predicted
+    double last_chunk_seconds = 0.0;  ///< predicted
     bool dismissed = false, gone = false;
   };
   struct Sending {
@@ -51,10 +51,10 @@ class Manager {
   const boost::mpi::communicator& workers_;
   Schedule& schedule_;
   const Job& job_;
-  std::vector<Worker> worker_;             // by rank
-  int left_ = 0;                           // workers that have not said farewell
-  std::span<const std::uint64_t> piece_;   // of the schedule's chunk, still to be handed out
-  std::list<Sending> sending_;             // until MPI has taken them
+  std::vector<Worker> worker_;            // by rank
+  int left_ = 0;                          // workers that have not said farewell
+  std::span<const std::uint64_t> piece_;  // of the schedule's chunk, still to be handed out
+  std::list<Sending> sending_;            // until MPI has taken them
   bool stopped_ = false;
   std::optional<LocalWorker> own_worker_;  // last: its thread ends before the rest goes
 };

@@ -12,10 +12,10 @@
 namespace sigmasweep::message {
 
 enum Tag : int {
-  chunk,  ///< manager to worker: tuples to compute, after those it still has
-  quit,   ///< manager to worker: begin no tuple any more, say farewell
-  rows,   ///< worker to manager: finished rows
-  stop,   ///< worker to manager: this rank was asked to stop
+  chunk,    ///< manager to worker: tuples to compute, after those it still has
+  quit,     ///< manager to worker: begin no tuple any more, say farewell
+  rows,     ///< worker to manager: finished rows
+  stop,     ///< worker to manager: this rank was asked to stop
   farewell  ///< worker to manager: the last finished rows; nothing follows
 };
 

@@ -5,8 +5,8 @@
 #include <deque>
 #include <utility>
 
-#include "engine/distribute/messages.hpp"
 #include "engine/distribute/backoff.hpp"
+#include "engine/distribute/messages.hpp"
 #include "mpi/world_impl.hpp"
 
 namespace sigmasweep {
@@ -33,8 +33,10 @@ class RemoteLine : public Line {
       const auto message = manager_.iprobe(message::manager_rank);
       if (!message) break;
       auto tuples = message::receive<Tuple>(manager_, *message);
-      if (message->tag() == message::quit) quit_ = true;
-      else chunks_.push_back(std::move(tuples));
+      if (message->tag() == message::quit)
+        quit_ = true;
+      else
+        chunks_.push_back(std::move(tuples));
     }
     if (!quit_ && !told_ && job_.stop()) {
       told_ = true;

@@ -62,10 +62,10 @@ std::vector<FilmFrame> frames_of_period(const Panel& panel, std::size_t samples)
   std::vector<FilmFrame> frames;
   for (std::size_t k = 0; k < frames_a_strip; ++k) {
     const double phase = static_cast<double>(k) / frames_a_strip, wanted = (begin + phase) / f;
-    const auto nearest = std::ranges::min_element(std::span(time).first(samples), {},
-                                                  [&](double t) { return std::abs(t - wanted); });
-    frames.push_back({static_cast<std::size_t>(nearest - std::span(time).begin()),
-                      fmt::format("period {:.0f}", begin + 1.0)});
+    const auto nearest =
+        std::ranges::min_element(std::span(time).first(samples), {}, [&](double t) { return std::abs(t - wanted); });
+    frames.push_back(
+        {static_cast<std::size_t>(nearest - std::span(time).begin()), fmt::format("period {:.0f}", begin + 1.0)});
   }
   return frames;
 }
@@ -148,9 +148,11 @@ std::string frame_script(const Panel& panel, const FilmFrame& frame, const View&
   const double middle = x + 0.5 * frame_width, under = y + view.height();
   out += canvas.label(clock(p, time), middle, under + 12.0, "center") +
          canvas.label(frame.what, middle, under + 27.0, "center font ',9' textcolor rgb '#606060'");
-  return out + fmt::format("plot ${0} using 1:2:3 with polygons linecolor palette fillstyle solid noborder notitle, "
-                           "${0} using 1:2 with lines linecolor rgb '#303030' linewidth 0.3 notitle\n"
-                           "unset label\nunset colorbox\n", name);
+  return out + fmt::format(
+                   "plot ${0} using 1:2:3 with polygons linecolor palette fillstyle solid noborder notitle, "
+                   "${0} using 1:2 with lines linecolor rgb '#303030' linewidth 0.3 notitle\n"
+                   "unset label\nunset colorbox\n",
+                   name);
 }
 
 std::string colour_box(const SpeedScale& speed, const Canvas& canvas, double height) {
@@ -208,8 +210,8 @@ void plot_lattices(std::span<const Panel> panels, std::span<const std::string> d
   const SpeedScale speed = speed_scale(panels);
   std::string script = fmt::format("set encoding utf8\nset terminal {}\nset multiplot title {} noenhanced\n",
                                    panels_terminal(form, canvas.width, canvas.height), quoted(title));
-  script += "unset key\nunset border\nunset xtics\nunset ytics\n" +
-            colour_box(speed, canvas, strips.front().view.height());
+  script +=
+      "unset key\nunset border\nunset xtics\nunset ytics\n" + colour_box(speed, canvas, strips.front().view.height());
   double y = head;
   for (std::size_t k = 0; k < panels.size(); ++k) {
     script += strip_script(panels[k], k, strips[k], speed, canvas, y, differ);

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "plot/canvas.hpp"
+#include "plot/films/velocity_field.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/labels.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"
-#include "plot/films/velocity_field.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -99,11 +99,13 @@ std::string frame_script(const Strip& strip, std::size_t phase, const Canvas& ca
   const auto fraction = [](std::size_t k) { return static_cast<double>(k) / static_cast<double>(phases); };
   out += canvas.label(fmt::format("{{/:Italic ωt}}/2π from {} to {}", fraction(phase), fraction(phase + 1)), middle,
                       under + 12.0, "center");
-  out += canvas.label(fmt::format("mean curl: left {}, right {} /s", curl(mean.left, error.left),
-                                  curl(mean.right, error.right)), middle, under + 27.0,
-                      "center font ',8' textcolor rgb '#606060'");
-  return out + fmt::format("plot ${} using 1:2:3:4 with vectors filled head size screen 0.005,20 linewidth 1 linecolor "
-                           "rgb '#2166AC' notitle\nunset label\n", name);
+  out += canvas.label(
+      fmt::format("mean curl: left {}, right {} /s", curl(mean.left, error.left), curl(mean.right, error.right)),
+      middle, under + 27.0, "center font ',8' textcolor rgb '#606060'");
+  return out + fmt::format(
+                   "plot ${} using 1:2:3:4 with vectors filled head size screen 0.005,20 linewidth 1 linecolor "
+                   "rgb '#2166AC' notitle\nunset label\n",
+                   name);
 }
 
 std::string strip_script(std::size_t number, const Strip& strip, const Canvas& canvas, double y,
@@ -114,8 +116,8 @@ std::string strip_script(std::size_t number, const Strip& strip, const Canvas& c
   out += canvas.label(fmt::format("longest arrow: {:.3g} m/s{}", strip.fastest, mean), side,
                       y + above + strip.view.height() + 44.0, "left font ',9'");
   for (std::size_t phase = 0; phase < phases; ++phase)
-    out += frame_script(strip, phase, canvas, side + static_cast<double>(phase) * (frame_width + frame_gap),
-                        y + above, fmt::format("field{}_{}", number, phase));
+    out += frame_script(strip, phase, canvas, side + static_cast<double>(phase) * (frame_width + frame_gap), y + above,
+                        fmt::format("field{}_{}", number, phase));
   return out;
 }
 
@@ -128,9 +130,8 @@ void plot_velocity_fields(std::span<const Panel> panels, std::span<const std::st
       throw UsageError("plot: fields of velocity by phase are of vibrated lattices only");
   const Form form = form_of(path);
   std::vector<std::string> differ;
-  std::ranges::copy_if(axes, std::back_inserter(differ), [&](const std::string& axis) {
-    return std::ranges::find(mean_over, axis) == mean_over.end();
-  });
+  std::ranges::copy_if(axes, std::back_inserter(differ),
+                       [&](const std::string& axis) { return std::ranges::find(mean_over, axis) == mean_over.end(); });
   const std::vector<Strip> strips = strips_of(panels, differ, !mean_over.empty());
   require_room_for(strips.size());
   Canvas canvas{2.0 * side + phases * (frame_width + frame_gap) - frame_gap, head};

@@ -71,9 +71,9 @@ std::string bead_label(const Trajectory& t, std::size_t bead, Prefix height) {
 /// What is drawn to the right: time, or of vibrated columns the number of periods, or its fraction.
 struct TimeAxis {
   std::string label;
-  double unit;    ///< s
+  double unit;  ///< s
   bool is_phase;
-  double width;   ///< in units
+  double width;  ///< in units
   double operator()(double t) const { return is_phase ? t / unit - std::floor(t / unit) : t / unit; }
 };
 
@@ -149,8 +149,10 @@ std::string panel_script(const Panel& panel, std::size_t number, std::span<const
 void require_room_for(std::size_t panels) {
   if (panels == 0) throw UsageError("plot: there are no trajectories to draw");
   if (panels <= most_panels) return;
-  throw UsageError(fmt::format("plot: {} trajectories, but at most {} find room on a picture: choose with 'where' in "
-                               "[plot]", panels, most_panels));
+  throw UsageError(
+      fmt::format("plot: {} trajectories, but at most {} find room on a picture: choose with 'where' in "
+                  "[plot]",
+                  panels, most_panels));
 }
 
 void plot_trajectories(std::span<const Panel> panels, std::size_t columns, std::span<const std::string> differ,

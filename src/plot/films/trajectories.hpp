@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sigmasweep/trajectory/trajectory.hpp"
 #include "sigmasweep/model/row.hpp"
+#include "sigmasweep/trajectory/trajectory.hpp"
 
 namespace sigmasweep {
 

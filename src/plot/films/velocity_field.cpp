@@ -43,9 +43,10 @@ VelocityField empty_field(Films films) {
   for (const Panel* film : films)
     for (std::size_t k = 0; k < film->trajectory.z.size(); ++k)
       if (const double z = film->trajectory.z[k]; std::isfinite(z))
-        highest = std::max(highest, z - plate_height(film->row.parameters, film->trajectory.time[k / film->trajectory.beads()]));
-  field.rows = static_cast<std::size_t>(
-      std::min(std::ceil(highest / d), 4.0 * static_cast<double>(first.row.parameters.rows)));
+        highest = std::max(highest,
+                           z - plate_height(film->row.parameters, film->trajectory.time[k / film->trajectory.beads()]));
+  field.rows =
+      static_cast<std::size_t>(std::min(std::ceil(highest / d), 4.0 * static_cast<double>(first.row.parameters.rows)));
   field.velocity.resize(field.columns * field.rows);
   field.filled.resize(field.columns * field.rows);
   return field;
@@ -89,9 +90,9 @@ VelocityField velocity_field(Films films, std::size_t phase, std::size_t phases)
   for (std::size_t cell = 0; cell < beads.size(); ++cell) {
     field.filled[cell] = beads[cell] > 0.0 && beads[cell] >= enough * static_cast<double>(all);
     const std::size_t row = cell / field.columns;
-    field.velocity[cell] = field.filled[cell] ? (1.0 / beads[cell]) * field.velocity[cell] -
-                                                    Vec2<double>{0.0, rise[row] / count[row]}
-                                              : Vec2<double>{};
+    field.velocity[cell] = field.filled[cell]
+                               ? (1.0 / beads[cell]) * field.velocity[cell] - Vec2<double>{0.0, rise[row] / count[row]}
+                               : Vec2<double>{};
   }
   return field;
 }
@@ -104,7 +105,8 @@ Rolls rolls_of(const VelocityField& field) {
       const std::size_t j = (i + 1) % field.columns;
       if (!(field.has(i, row) && field.has(j, row) && field.has(i, row + 1) && field.has(j, row + 1))) continue;
       const Vec2<double> a = field.at(i, row), b = field.at(j, row), c = field.at(i, row + 1), e = field.at(j, row + 1);
-      const double curl = (b.z + e.z - a.z - c.z) / (2.0 * field.width) - (c.x + e.x - a.x - b.x) / (2.0 * field.height);
+      const double curl =
+          (b.z + e.z - a.z - c.z) / (2.0 * field.width) - (c.x + e.x - a.x - b.x) / (2.0 * field.height);
       // A corner in the middle belongs to both halves, and so does the one where a periodic container is joined.
       const std::size_t twice = 2 * (i + 1);
       const bool both = twice == field.columns || i + 1 == field.columns;

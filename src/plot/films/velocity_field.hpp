@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "plot/films/trajectories.hpp"
 #include "base/vec2.hpp"
+#include "plot/films/trajectories.hpp"
 
 namespace sigmasweep {
 
@@ -15,8 +15,8 @@ namespace sigmasweep {
 /// rows away from each other and back, in every period, and what is to be seen is how beads move past each other.
 /// Several films, of containers that differ by chance only, are averaged as one.
 struct VelocityField {
-  std::size_t columns = 0, rows = 0;   ///< of cells, from the container's lower left corner
-  double width = 0.0, height = 0.0;    ///< of a cell, m: about the mean diameter
+  std::size_t columns = 0, rows = 0;  ///< of cells, from the container's lower left corner
+  double width = 0.0, height = 0.0;   ///< of a cell, m: about the mean diameter
   bool periodic = false;
   std::vector<Vec2<double>> velocity;  ///< m/s, of cell [row * columns + column]
   std::vector<bool> filled;            ///< whether enough beads came by: in one sample of twenty there is one
@@ -28,9 +28,10 @@ struct VelocityField {
 using Films = std::span<const Panel* const>;
 VelocityField velocity_field(Films films, std::size_t phase, std::size_t phases);
 
-/// How strong convection rolls are: the mean curl of the field (counterclockwise is positive; a rigid rotation has twice
-/// its angular velocity) in the left and in the right half, 1/s; of the corners between four cells that are filled, NaN
-/// where there are none. A pair of rolls that goes up in the middle and down at the sides has left > 0 > right.
+/// How strong convection rolls are: the mean curl of the field (counterclockwise is positive; a rigid rotation has
+/// twice its angular velocity) in the left and in the right half, 1/s; of the corners between four cells that are
+/// filled, NaN where there are none. A pair of rolls that goes up in the middle and down at the sides has left > 0 >
+/// right.
 struct Rolls {
   double left = 0.0, right = 0.0;
 };

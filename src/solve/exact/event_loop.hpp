@@ -45,7 +45,12 @@ class ContactEvents {
   };
 
   explicit ContactEvents(std::size_t contacts)
-      : N_(contacts), x_(motion_[0].x), u_(motion_[0].u), at_(N_, Real(0)), closed_(N_, 0), group_of_(N_, none),
+      : N_(contacts),
+        x_(motion_[0].x),
+        u_(motion_[0].u),
+        at_(N_, Real(0)),
+        closed_(N_, 0),
+        group_of_(N_, none),
         events_(N_) {
     for (Motion& motion : motion_) {
       motion.x.assign(N_, Real(0));
@@ -67,8 +72,8 @@ class ContactEvents {
 
   bool nothing_touches() const { return idle_.size() == groups_.size(); }
 
-  /// At a fixed wall, where nothing touches, time t may become time 0: flights may be so long that a clock which counts them all could
-  /// not tell the moments of a contact apart.
+  /// At a fixed wall, where nothing touches, time t may become time 0: flights may be so long that a clock which counts
+  /// them all could not tell the moments of a contact apart.
   void begin_anew(const Real& t) {
     for (std::size_t k = 0; k < N_; ++k) {
       release(k, t);
@@ -128,15 +133,15 @@ class ContactEvents {
 
   std::size_t N_;
   std::array<Motion, std::size_t(Motions)> motion_;
-  std::vector<Real>&x_, &u_;            ///< of the column's own motion
-  Real epoch_{};                        ///< when the clock was last set to 0, since the start
-  std::vector<Real> at_;                ///< free gaps: the time their state is of
+  std::vector<Real>&x_, &u_;  ///< of the column's own motion
+  Real epoch_{};              ///< when the clock was last set to 0, since the start
+  std::vector<Real> at_;      ///< free gaps: the time their state is of
   std::vector<std::uint8_t> closed_;
   std::vector<int> group_of_;
   std::vector<std::unique_ptr<Group>> groups_;
-  std::vector<int> idle_;               ///< groups free for use
+  std::vector<int> idle_;  ///< groups free for use
   Tournament<Real> events_;
-  std::uint64_t contacts_ = 0;          ///< closed and opened again
+  std::uint64_t contacts_ = 0;  ///< closed and opened again
   Real wall_opened_{}, x_max_{};
 
  private:

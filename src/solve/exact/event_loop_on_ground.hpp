@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "solve/exact/event_loop.hpp"
+#include "assembly/column.hpp"
 #include "assembly/energy_on_plate.hpp"
 #include "assembly/ground.hpp"
-#include "assembly/column.hpp"
+#include "solve/exact/event_loop.hpp"
 
 namespace sigmasweep {
 

@@ -2,11 +2,11 @@
 
 #include "solve/exact/linear/column.hpp"
 #include "solve/exact/power_law/column.hpp"
-#include "solve/observer/samples.hpp"
-#include "solve/vibrated.hpp"
 #include "solve/fixed_step/vibrated_column.hpp"
-#include "solve/vibrated_result.hpp"
+#include "solve/observer/samples.hpp"
 #include "solve/observer/vibration_statistics.hpp"
+#include "solve/vibrated.hpp"
+#include "solve/vibrated_result.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -1,12 +1,12 @@
 #include <cstdint>
 
-#include "solve/observer/lattice_statistics.hpp"
+#include "sigmasweep/model/geometry.hpp"
 #include "solve/exact/lattice/vibrated.hpp"
 #include "solve/exact/power_law/column.hpp"
-#include "sigmasweep/model/geometry.hpp"
+#include "solve/observer/lattice_statistics.hpp"
+#include "solve/observer/vibration_statistics.hpp"
 #include "solve/vibrated.hpp"
 #include "solve/vibrated_result.hpp"
-#include "solve/observer/vibration_statistics.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -6,9 +6,9 @@
 #include <new>
 #include <vector>
 
-#include "contact/kernels.hpp"
-#include "assembly/ground.hpp"
 #include "assembly/column.hpp"
+#include "assembly/ground.hpp"
+#include "contact/kernels.hpp"
 
 namespace sigmasweep {
 
@@ -73,9 +73,16 @@ struct Chain {
   static constexpr bool one_by_one = true;  ///< a contact's force is its own affair
 
   Chain(const Column<double>& column, double dt, const Ground& ground = {})
-      : contacts(column.contacts()), blocks(Lanes::padded(contacts) / Lanes::width),
-        force(column.exponents), coupling(column), K(contacts), C(contacts),
-        x(contacts, -std::numeric_limits<double>::max()), u(contacts), speed(column.speed * dt), dt_(dt),
+      : contacts(column.contacts()),
+        blocks(Lanes::padded(contacts) / Lanes::width),
+        force(column.exponents),
+        coupling(column),
+        K(contacts),
+        C(contacts),
+        x(contacts, -std::numeric_limits<double>::max()),
+        u(contacts),
+        speed(column.speed * dt),
+        dt_(dt),
         ground_(ground) {
     for (std::size_t k = 0; k < contacts; ++k) {
       K[k] = column.spring(k) * dt * dt;
@@ -123,7 +130,7 @@ struct Chain {
   }
 
   std::size_t contacts, blocks;
-  std::size_t components() const { return contacts; }  // of x and u
+  std::size_t components() const { return contacts; }          // of x and u
   std::size_t lanes() const { return blocks * Lanes::width; }  // whole vectors, and the compiler sees it
   Force force;
   ChainCoupling<Uneven> coupling;

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solve/to_si.hpp"
-#include "sigmasweep/model/geometry.hpp"
-#include "solve/fixed_step/collision.hpp"
 #include "assembly/lattice.hpp"
+#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/fixed_step/collision.hpp"
 #include "solve/fixed_step/stability.hpp"
+#include "solve/to_si.hpp"
 
 namespace sigmasweep {
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double hopeless = 1e5;  // growth in one tc
 constexpr double dense = 0.1;     // sigma up to which the column is closed as a whole for a while
 constexpr double fewest_steps = 20.0, most_steps = 1e6;  // a tc
-constexpr double most_work = 1e9;                         // steps times contacts of a collision
+constexpr double most_work = 1e9;                        // steps times contacts of a collision
 constexpr double margin = 1.2, least_factor = 1.5, most_factor = 16.0;
 
 /// The collision in steps of tc/steps_per_tc, without an error. At most `work`, beads times steps; 0: some minutes.
@@ -23,13 +23,13 @@ Collision stepped(const Parameters& p, double work, Patience* patience) {
   const double dt = 1.0 / p.steps_per_tc, settle = 1e-3 * p.tolerance;
   if (is_lattice(p)) {
     const auto lattice = reduced_lattice<double>(p);
-    const LatticeOptions options{.settle = settle, .work_limit = static_cast<std::uint64_t>(work), .patience = patience};
+    const LatticeOptions options{
+        .settle = settle, .work_limit = static_cast<std::uint64_t>(work), .patience = patience};
     const auto outcome = fixed_step_lattice_collision(lattice, p.integrator, dt, options);
     return in_si_with(energies(lattice, outcome.velocity), outcome, p);
   }
   const auto column = reduced_column<double>(p);
-  const FixedStepOptions options{
-      .settle = settle, .step_limit = work / static_cast<double>(p.N), .patience = patience};
+  const FixedStepOptions options{.settle = settle, .step_limit = work / static_cast<double>(p.N), .patience = patience};
   return in_si<double>(fixed_step_collision(column, p.integrator, dt, options), p, column.mass);
 }
 
@@ -78,8 +78,7 @@ Choice with_chosen_steps(Parameters p, Patience* patience) {
   p.tolerance = tolerance;
   const ClosedContacts closed = closed_contacts(p);
   p.steps_per_tc = fewest_steps;
-  while (p.steps_per_tc < most_steps && !is_stable(closed, p.integrator, 1.0 / p.steps_per_tc))
-    p.steps_per_tc *= 1.25;
+  while (p.steps_per_tc < most_steps && !is_stable(closed, p.integrator, 1.0 / p.steps_per_tc)) p.steps_per_tc *= 1.25;
 
   const auto with_growth = [&](Choice choice) {
     choice.collision.predicted_growth = predicted_growth(closed, p.integrator, 1.0 / choice.steps_per_tc);

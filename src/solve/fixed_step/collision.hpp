@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "sigmasweep/model/result.hpp"
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/column.hpp"
 #include "sigmasweep/base/budget.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 
 /// What is used elsewhere: schemes of fixed time step that take no notice of where in a step a contact opens or closes.
 /// That kink of the force, not the order of the scheme, sets their error: it is of first order in dt, and erratic.
@@ -16,7 +16,7 @@ struct FixedStepOptions {
   double step_limit = 0.0;         ///< steps before giving up; 0: 1e11/N, some minutes
   bool skip_free_flight = true;    ///< cross free flight in one go, by a whole number of steps; for tests
   std::uint64_t* steps = nullptr;  ///< if given: set to the number of steps made, crossed ones not counted
-  Patience* patience = nullptr;   ///< asked now and then; Status::time_limit where it is over
+  Patience* patience = nullptr;    ///< asked now and then; Status::time_limit where it is over
 };
 
 /// One collision with time step `dt`, in the column's units. `integrator`: gear5, verlet or rk4. A contact is closed
@@ -27,8 +27,8 @@ Outcome<double> fixed_step_collision(const Column<double>& column, Integrator in
 /// The tuple's collision, of a column or a lattice, with time step tc/steps_per_tc. eps_eff_error is the distance to
 /// what `exact` has for it plus the error of that: the time for it is part of this function's time. Where theory says
 /// that the step is far too long it is Status::unstable at once: equal beads, and the amplitude of the stiffest mode
-/// grows by more than 1e5 within one tc (stability.hpp; of lattices, and above sigma = 0.1, that of a single bead at the
-/// wall). With up to 10^3.2 for the closed column collisions were seen to end with a result, if a poor one.
+/// grows by more than 1e5 within one tc (stability.hpp; of lattices, and above sigma = 0.1, that of a single bead at
+/// the wall). With up to 10^3.2 for the closed column collisions were seen to end with a result, if a poor one.
 ///
 /// With steps_per_tc = 0 the step is chosen: from the longest stable one, or tc/20, on it is shortened, the error taken
 /// as of first order in it, until eps_eff_error is within the tolerance. Status::tolerance_missed with the smallest

@@ -18,8 +18,14 @@ template <class Chain, template <class> class Scheme, class Watcher>
 class Run {
  public:
   Run(const Column<double>& column, double dt, const FixedStepOptions& options, Watcher& watcher)
-      : column_(column), options_(options), dt_(dt), chain_(column, dt), scheme_(chain_), before_(chain_.x),
-        deepest_(chain_.contacts), watcher_(watcher) {
+      : column_(column),
+        options_(options),
+        dt_(dt),
+        chain_(column, dt),
+        scheme_(chain_),
+        before_(chain_.x),
+        deepest_(chain_.contacts),
+        watcher_(watcher) {
     if (options_.step_limit == 0.0) options_.step_limit = 1e11 / static_cast<double>(column.N);
     lowest_energy_ = start_energy_ = energy();
   }
@@ -187,7 +193,7 @@ class Run {
   Lanes before_, deepest_;
   Watcher& watcher_;
   std::vector<double> rates_before_;  ///< for the watcher
-  double now_ = 0.0;  ///< time in steps, crossed ones included
+  double now_ = 0.0;                  ///< time in steps, crossed ones included
   double first_wall_ = -1.0, last_wall_ = 0.0;
   double start_energy_ = 0.0, lowest_energy_ = 0.0;
   std::uint64_t steps_ = 0;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "assembly/lattice.hpp"
 #include "solve/fixed_step/dispatch.hpp"
 #include "solve/fixed_step/lattice_motion.hpp"
 #include "solve/observer/lattice_samples.hpp"
-#include "assembly/lattice.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -22,7 +22,11 @@ class LatticeRun {
  public:
   LatticeRun(const Lattice<double>& lattice, double dt, const LatticeOptions& options, FreeFlight free_flight,
              Watcher& watcher)
-      : lattice_(lattice), options_(options), dt_(dt), free_flight_(free_flight), steps_(lattice, dt),
+      : lattice_(lattice),
+        options_(options),
+        dt_(dt),
+        free_flight_(free_flight),
+        steps_(lattice, dt),
         watcher_(watcher) {
     const auto N = static_cast<double>(lattice.count());
     if (options_.event_limit == 0) options_.event_limit = 100'000 + 1'000 * lattice.count();
@@ -85,20 +89,19 @@ class LatticeRun {
   };
   Prospect prospect() {
     Prospect p;
-    steps_.contacts().each(
-        steps_.scheme().x(), steps_.scheme().u(),
-        [&](double overlap, double rate, double speed, double elastic, double inertia, double eps) {
-          if (overlap > 0.0) {
-            p.closed = true;
-            p.held += 0.5 * (elastic + speed * speed / inertia);
-            p.loss += 0.5 * (elastic + speed * speed / inertia);
-          } else if (rate > 0.0) {
-            p.approaches = true;
-            p.steps = std::min(p.steps, -overlap / rate);
-            p.approaching += 0.5 * rate * rate / inertia;
-            p.loss += 0.5 * rate * rate / inertia * (1.0 - eps * eps);
-          }
-        });
+    steps_.contacts().each(steps_.scheme().x(), steps_.scheme().u(),
+                           [&](double overlap, double rate, double speed, double elastic, double inertia, double eps) {
+                             if (overlap > 0.0) {
+                               p.closed = true;
+                               p.held += 0.5 * (elastic + speed * speed / inertia);
+                               p.loss += 0.5 * (elastic + speed * speed / inertia);
+                             } else if (rate > 0.0) {
+                               p.approaches = true;
+                               p.steps = std::min(p.steps, -overlap / rate);
+                               p.approaching += 0.5 * rate * rate / inertia;
+                               p.loss += 0.5 * rate * rate / inertia * (1.0 - eps * eps);
+                             }
+                           });
     return p;
   }
 
@@ -162,9 +165,8 @@ class LatticeRun {
   }
   void show(double steps) {
     if constexpr (Watcher::watches)
-      watcher_.until(now_ * dt_, [&](double t, auto q, auto v) {
-        steps_.between(1.0 - (now_ - t / dt_) / steps, steps, q, v);
-      });
+      watcher_.until(now_ * dt_,
+                     [&](double t, auto q, auto v) { steps_.between(1.0 - (now_ - t / dt_) / steps, steps, q, v); });
   }
   /// What is left of the samples when it is over.
   void show_free_flight() {
@@ -204,7 +206,7 @@ LatticeOutcome<double> watched_by(Watcher& watcher, const Lattice<double>& latti
   return with_law(lattice.beads, [&]<class Force, bool Uneven>() {
     return with_scheme(integrator, [&]<template <class> class Scheme>() {
       return LatticeRun<LatticeSteps<Force, Uneven, Scheme, FixedWall>, Watcher>(lattice, dt, options, free_flight,
-                                                                                   watcher)();
+                                                                                 watcher)();
     });
   });
 }

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/kernels.hpp"
+#include "assembly/lattice.hpp"
 #include "assembly/lattice_neighbours.hpp"
 #include "base/vec2.hpp"
-#include "assembly/lattice.hpp"
+#include "contact/kernels.hpp"
 
 namespace sigmasweep {
 
@@ -25,8 +25,12 @@ template <class Force, bool Uneven, bool Books>
 class LatticeContacts {
  public:
   LatticeContacts(const Lattice<double>& lattice, double dt)
-      : lattice_(lattice), force_(lattice.beads.exponents), K_(lattice.beads.K * dt * dt),
-        K_wall_(lattice.beads.K_wall * dt * dt), C_(lattice.beads.C * dt), C_wall_(lattice.beads.C_wall * dt),
+      : lattice_(lattice),
+        force_(lattice.beads.exponents),
+        K_(lattice.beads.K * dt * dt),
+        K_wall_(lattice.beads.K_wall * dt * dt),
+        C_(lattice.beads.C * dt),
+        C_wall_(lattice.beads.C_wall * dt),
         T_(lattice.D_t * dt) {}
 
   /// Takes in the lists, the beads being where q says.
@@ -94,7 +98,7 @@ class LatticeContacts {
   std::size_t pairs_ = 0;
   std::vector<std::int32_t> i_, j_;  ///< first components
   std::vector<double> R_x_, R_z_, length_, gap0_, C_ij_, T_ij_;
-  std::vector<double> F_x_, F_z_;    ///< on bead i
+  std::vector<double> F_x_, F_z_;  ///< on bead i
   std::vector<Wall> walls_;
   std::vector<double> x_, before_, lost_;  ///< of pairs and walls: overlaps now and at the last look
   double deepest_ = 0.0;
@@ -102,7 +106,7 @@ class LatticeContacts {
 
 template <class Force, bool Uneven, bool Books>
 void LatticeContacts<Force, Uneven, Books>::list(const LatticeNeighbours<double>& neighbours, const double* q,
-                                          const double* u) {
+                                                 const double* u) {
   for (auto* each : {&R_x_, &R_z_, &length_, &gap0_, &C_ij_, &T_ij_}) each->clear();
   i_.clear();
   j_.clear();
@@ -123,8 +127,13 @@ template <class Force, bool Uneven, bool Books>
 void LatticeContacts<Force, Uneven, Books>::add(std::size_t i, const Neighbour<double>& other) {
   const double m = lattice_.mass(i);
   if (other.is_wall()) {
-    walls_.push_back({static_cast<std::uint32_t>(i), other.bead == Neighbour<double>::bottom, other.bond, C_wall_ * m,
-                      T_ * m, {}, 0});
+    walls_.push_back({static_cast<std::uint32_t>(i),
+                      other.bead == Neighbour<double>::bottom,
+                      other.bond,
+                      C_wall_ * m,
+                      T_ * m,
+                      {},
+                      0});
     return;
   }
   i_.push_back(static_cast<std::int32_t>(2 * i));

@@ -6,8 +6,8 @@
 
 namespace sigmasweep {
 
-/// What springs, dashpots and tangential dashpots do to a motion of a lattice, per mean mass and over those of a pair of
-/// mean beads: in x'' + c x' + k x = 0 k = spring K, c = dashpot C + friction D_t.
+/// What springs, dashpots and tangential dashpots do to a motion of a lattice, per mean mass and over those of a pair
+/// of mean beads: in x'' + c x' + k x = 0 k = spring K, c = dashpot C + friction D_t.
 struct LatticeShares {
   double spring = 0.0, dashpot = 0.0, friction = 0.0;
 };

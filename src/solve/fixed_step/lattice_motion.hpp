@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "assembly/ground.hpp"
 #include "solve/fixed_step/chain.hpp"
 #include "solve/fixed_step/dispatch.hpp"
 #include "solve/fixed_step/lattice_contacts.hpp"
-#include "assembly/ground.hpp"
 
 namespace sigmasweep {
 
@@ -24,8 +24,13 @@ class LatticeMotion {
   static constexpr bool one_by_one = false;
 
   LatticeMotion(const Lattice<double>& lattice, double dt, const Ground& ground, Contacts& contacts)
-      : x(2 * lattice.count()), u(2 * lattice.count()), speed(lattice.beads.speed * dt), contacts_(contacts),
-        components_(2 * lattice.count()), dt_(dt), ground_(ground) {
+      : x(2 * lattice.count()),
+        u(2 * lattice.count()),
+        speed(lattice.beads.speed * dt),
+        contacts_(contacts),
+        components_(2 * lattice.count()),
+        dt_(dt),
+        ground_(ground) {
     for (std::size_t i = 0; i < lattice.count(); ++i) {
       if (!lattice.shift.empty()) {
         x[2 * i] = lattice.shift[i].x;
@@ -78,8 +83,12 @@ class LatticeSteps {
   using Motion = LatticeMotion<Contacts, Ground>;
 
   LatticeSteps(const Lattice<double>& lattice, double dt, const Ground& ground = {})
-      : lattice_(lattice), dt_(dt), neighbours_(lattice), contacts_(lattice, dt),
-        motion_(lattice, dt, ground, contacts_), scheme_(listed()) {}
+      : lattice_(lattice),
+        dt_(dt),
+        neighbours_(lattice),
+        contacts_(lattice, dt),
+        motion_(lattice, dt, ground, contacts_),
+        scheme_(listed()) {}
   LatticeSteps(const LatticeSteps&) = delete;
 
   Motion& motion() { return motion_; }

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "solve/fixed_step/lattice_modes.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "solve/fixed_step/lattice_modes.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -39,8 +39,8 @@ Map verlet_map(const Mode& mode) {
   const Wide k = mode.k, c = mode.c;
   const std::array<Wide, 3> a{-k, -k - c, -k / 2 - c};
   Map map(3, 3);
-  map << 1, 1, Wide(1) / 2,                       //
-      a[0] / 2, 1 + a[1] / 2, (1 + a[2]) / 2,     //
+  map << 1, 1, Wide(1) / 2,                    //
+      a[0] / 2, 1 + a[1] / 2, (1 + a[2]) / 2,  //
       a[0], a[1], a[2];
   return map;
 }
@@ -87,8 +87,8 @@ double row_sum(const Column<double>& column, std::size_t i, double (Column<doubl
   return sum;
 }
 
-/// Of the law's F = K x^(1+beta) + C x^gamma x', for a small motion about the overlap that m v^2/2 = K x^(2+beta)/(2+beta)
-/// gives a mean bead at the wall: k for K = 1, and c for C = 1.
+/// Of the law's F = K x^(1+beta) + C x^gamma x', for a small motion about the overlap that m v^2/2 = K
+/// x^(2+beta)/(2+beta) gives a mean bead at the wall: k for K = 1, and c for C = 1.
 Mode about_overlap(const Column<double>& column) {
   const auto [beta, gamma] = column.exponents;
   const double x = std::pow((2.0 + beta) * column.speed * column.speed / (2.0 * column.K_wall), 1.0 / (2.0 + beta));
@@ -128,8 +128,8 @@ ClosedContacts closed_contacts(const Lattice<double>& lattice) {
   const Mode single = about_overlap(beads);
   ClosedContacts closed{{}, beads.tc, static_cast<double>(lattice.rows)};
   for (const LatticeShares& most : largest_shares(lattice))
-    closed.modes.push_back({most.spring * single.k * beads.K,
-                            most.dashpot * single.c * beads.C + most.friction * lattice.D_t});
+    closed.modes.push_back(
+        {most.spring * single.k * beads.K, most.dashpot * single.c * beads.C + most.friction * lattice.D_t});
   return closed;
 }
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/column.hpp"
 #include "assembly/lattice.hpp"
+#include "sigmasweep/model/parameters.hpp"
 
 /// Whether a scheme of fixed step is stable, from the theory of linear maps: no collision is computed for it.
 namespace sigmasweep {
@@ -15,8 +15,8 @@ struct Mode {
   Mode in_steps(double dt) const { return {k * dt * dt, c * dt}; }
 };
 
-/// The factor that a step of `integrator` (gear5, verlet, rk4) multiplies the amplitude of a mode, in steps, with in the
-/// end: the spectral radius of the map that the step is. k, c >= 0. Error 1e-9.
+/// The factor that a step of `integrator` (gear5, verlet, rk4) multiplies the amplitude of a mode, in steps, with in
+/// the end: the spectral radius of the map that the step is. k, c >= 0. Error 1e-9.
 double growth_per_step(Integrator integrator, const Mode& mode);
 
 /// That map, row by row: of (x, x') for rk4; of (x, x', x'') for verlet; of x^(n)/n!, n = 0 to 5, for gear5.
@@ -26,24 +26,24 @@ std::vector<double> step_map(Integrator integrator, const Mode& mode);
 struct ClosedContacts {
   std::vector<Mode> modes;  ///< one of them is about the first to be unstable; in the column's units of time
   double tc = 1.0;
-  double height = 1.0;      ///< beads above each other, N or rows: a collision lasts about so many tc
+  double height = 1.0;  ///< beads above each other, N or rows: a collision lasts about so many tc
 };
 
-/// Of a column its stiffest mode. Equal beads and the paper's wall: k = lambda K, c = lambda C, lambda = 2 + 2 cos(2 pi/
-/// (2N + 1)); others: upper bounds of both (Gershgorin). For laws that are not linear springs and dashpots are those of
-/// a small motion about the overlap x that a bead has when the wall has just brought it to rest without damping,
-/// K (1 + beta) x^beta and C x^gamma.
+/// Of a column its stiffest mode. Equal beads and the paper's wall: k = lambda K, c = lambda C, lambda = 2 + 2 cos(2
+/// pi/ (2N + 1)); others: upper bounds of both (Gershgorin). For laws that are not linear springs and dashpots are
+/// those of a small motion about the overlap x that a bead has when the wall has just brought it to rest without
+/// damping, K (1 + beta) x^beta and C x^gamma.
 ClosedContacts closed_contacts(const Column<double>& column);
 
-/// Of a lattice its motions with the largest spring, dashpot and friction (D_t), and of the last two together. In a wave
-/// of the infinite lattice of equal beads these go as s K, s C and r D_t with s + r = 2 sum over its three bonds of
-/// (1 - cos): (s, r) = (6, 2) is the stiffest, but with D_t > C (2, 6), with D_t about C (9/2, 9/2) is damped more. Of
-/// finite lattices they are found by power iteration; from 40 rows or columns on 40 are taken. The damping of motions in
-/// between is up to 3 % more.
+/// Of a lattice its motions with the largest spring, dashpot and friction (D_t), and of the last two together. In a
+/// wave of the infinite lattice of equal beads these go as s K, s C and r D_t with s + r = 2 sum over its three bonds
+/// of (1 - cos): (s, r) = (6, 2) is the stiffest, but with D_t > C (2, 6), with D_t about C (9/2, 9/2) is damped more.
+/// Of finite lattices they are found by power iteration; from 40 rows or columns on 40 are taken. The damping of
+/// motions in between is up to 3 % more.
 ///
 /// It is a safe side in that a collision need not excite these motions: in a lattice without shifts all columns move
-/// alike, discs of a row that have no gap but no overlap either are not in contact, and where gaps are wide few are at a
-/// time.
+/// alike, discs of a row that have no gap but no overlap either are not in contact, and where gaps are wide few are at
+/// a time.
 ClosedContacts closed_contacts(const Lattice<double>& lattice);
 
 /// Of the tuple's column or lattice. What vibrates is taken to be thrown at its plate with the largest speed of that.

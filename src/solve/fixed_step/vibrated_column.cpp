@@ -3,8 +3,8 @@
 
 #include "assembly/energy_on_plate.hpp"
 #include "solve/fixed_step/dispatch.hpp"
-#include "solve/observer/samples.hpp"
 #include "solve/fixed_step/vibrated_column.hpp"
+#include "solve/observer/samples.hpp"
 #include "solve/observer/vibration_statistics.hpp"
 
 namespace sigmasweep {
@@ -15,8 +15,15 @@ template <class Chain, template <class> class Scheme, class Watcher>
 class PlateRun {
  public:
   PlateRun(const Column<double>& column, const Plate& plate, double steps_per_period, Watcher& watcher)
-      : column_(column), plate_(plate), steps_(steps_per_period), dt_(plate.period() / steps_per_period),
-        chain_(column, dt_, plate), scheme_(chain_), x_(contacts()), u_(contacts()), closed_(contacts()),
+      : column_(column),
+        plate_(plate),
+        steps_(steps_per_period),
+        dt_(plate.period() / steps_per_period),
+        chain_(column, dt_, plate),
+        scheme_(chain_),
+        x_(contacts()),
+        u_(contacts()),
+        closed_(contacts()),
         watcher_(watcher) {
     for (std::size_t k = 0; k < contacts(); ++k) {
       closed_[k] = scheme_.x()[k] > 0.0;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "assembly/ground.hpp"
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/column.hpp"
+#include "assembly/ground.hpp"
 #include "sigmasweep/base/budget.hpp"
+#include "sigmasweep/model/parameters.hpp"
 
 namespace sigmasweep {
 

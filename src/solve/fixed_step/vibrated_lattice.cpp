@@ -14,8 +14,12 @@ template <class Steps, class Watcher>
 class LatticePlateRun {
  public:
   LatticePlateRun(const Lattice<double>& lattice, const Plate& plate, double steps_per_period, Watcher& watcher)
-      : lattice_(lattice), plate_(plate), steps_per_period_(steps_per_period), dt_(plate.period() / steps_per_period),
-        steps_(lattice, dt_, plate), watcher_(watcher) {
+      : lattice_(lattice),
+        plate_(plate),
+        steps_per_period_(steps_per_period),
+        dt_(plate.period() / steps_per_period),
+        steps_(lattice, dt_, plate),
+        watcher_(watcher) {
     for (std::size_t i = 0; i < lattice.count(); ++i) weight_ += plate.g * lattice.mass(i);
   }
 
@@ -52,8 +56,7 @@ class LatticePlateRun {
     in_ += 0.5 * (in_before_ + in);
     lost_before_ = lost;
     in_before_ = in;
-    watcher_.until((step + 1.0) * dt_,
-                   [&](double t, auto q, auto v) { steps_.between(t / dt_ - step, 1.0, q, v); });
+    watcher_.until((step + 1.0) * dt_, [&](double t, auto q, auto v) { steps_.between(t / dt_ - step, 1.0, q, v); });
     steps_.keep_lists();
   }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "solve/observer/lattice_samples.hpp"
 #include "assembly/ground.hpp"
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/lattice.hpp"
 #include "sigmasweep/base/budget.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "solve/observer/lattice_samples.hpp"
 
 namespace sigmasweep {
 

@@ -5,11 +5,11 @@
 #include <limits>
 #include <span>
 
-#include "solve/hard_spheres/column.hpp"
-#include "solve/to_si.hpp"
 #include "numerics/noise.hpp"
-#include "solve/observer/samples.hpp"
 #include "sigmasweep/contact/calibration.hpp"
+#include "solve/hard_spheres/column.hpp"
+#include "solve/observer/samples.hpp"
+#include "solve/to_si.hpp"
 
 namespace sigmasweep {
 

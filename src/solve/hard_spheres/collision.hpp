@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "sigmasweep/model/result.hpp"
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/column.hpp"
 #include "sigmasweep/base/budget.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 
 /// Event-driven hard spheres (ED): instant collisions, free flight in between. Collisions at the same time go by the
 /// largest-relative-velocity rule (LRV): of all touching pairs that approach, the fastest is next.
@@ -22,7 +22,7 @@ struct HardSphereOptions {
   /// A pair that collides again in next to no time, and by now is slower than this (units v0), will do so for ever:
   /// inelastic collapse.
   double collapsed_speed = 1e-16;
-  Patience* patience = nullptr;   ///< asked now and then; Status::time_limit where it is over
+  Patience* patience = nullptr;  ///< asked now and then; Status::time_limit where it is over
 };
 
 /// One collision of the column with its restitutions eps and eps_wall; K and C play no role. In units of the gap and

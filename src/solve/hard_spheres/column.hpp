@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "solve/hard_spheres/cluster.hpp"
-#include "base/quad.hpp"
 #include "assembly/column.hpp"
-#include "solve/hard_spheres/collision.hpp"
+#include "base/quad.hpp"
 #include "numerics/tournament.hpp"
+#include "solve/hard_spheres/cluster.hpp"
+#include "solve/hard_spheres/collision.hpp"
 
 namespace sigmasweep {
 
@@ -23,7 +23,9 @@ inline const Quad cancelled<Quad> = Quad(1e-30);
 
 /// The unit of length: the gap, if there is one.
 template <class Real>
-Real length_of(const Column<Real>& column) { return column.gap > 0 ? column.gap : Real(1); }
+Real length_of(const Column<Real>& column) {
+  return column.gap > 0 ? column.gap : Real(1);
+}
 
 /// How much faster than the heaviest bead the lightest one can be with the same energy.
 template <class Real>
@@ -41,8 +43,14 @@ template <class Real>
 class HardSphereColumn {
  public:
   HardSphereColumn(const Column<Real>& column, const HardSphereOptions& options)
-      : contacts_(static_cast<std::size_t>(column.N)), e_(column.eps), e_wall_(column.eps_wall), options_(options),
-        state_(contacts_), spread_(spread(column.mass)), due_(contacts_), impacts_(contacts_),
+      : contacts_(static_cast<std::size_t>(column.N)),
+        e_(column.eps),
+        e_wall_(column.eps_wall),
+        options_(options),
+        state_(contacts_),
+        spread_(spread(column.mass)),
+        due_(contacts_),
+        impacts_(contacts_),
         touching_gap_(options.same_time) {
     const double N = static_cast<double>(column.N);
     if (!column.mass.empty() || !column.gaps.empty()) options_.same_time *= 1e-3;  // no symmetry makes times the same
@@ -182,8 +190,10 @@ class HardSphereColumn {
       find_touching(k);
       next_try_ = outcome_.contacts + 16 + touching_.size();
       const Cluster cluster = cluster_around(k - lowest_, touching_, lowest_ == 0, masses_from(lowest_));
-      if (foresees && will_collapse(cluster, static_cast<double>(e_))) clear_doubts(cluster);
-      else if (!collapsed) return collide(k);
+      if (foresees && will_collapse(cluster, static_cast<double>(e_)))
+        clear_doubts(cluster);
+      else if (!collapsed)
+        return collide(k);
       return collapse(cluster);
     }
     collide(k);
@@ -258,9 +268,7 @@ class HardSphereColumn {
     // A contact that recedes faster than all others together can close it stays open.
     using std::abs;
     const Real limit = spread_ * static_cast<double>(contacts_) * state_[k].u;
-    const auto touches = [&](std::size_t j) {
-      return gap_now(j) <= touching_gap_ && abs(state_[j].u) <= limit;
-    };
+    const auto touches = [&](std::size_t j) { return gap_now(j) <= touching_gap_ && abs(state_[j].u) <= limit; };
     lowest_ = k;
     while (lowest_ > 0 && touches(lowest_ - 1)) --lowest_;
     touching_.clear();

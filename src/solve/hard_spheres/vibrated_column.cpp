@@ -6,16 +6,16 @@
 
 #include "solve/hard_spheres/column.hpp"
 #include "solve/observer/samples.hpp"
-#include "solve/vibrated.hpp"
 #include "solve/observer/vibration_statistics.hpp"
+#include "solve/vibrated.hpp"
 
 namespace sigmasweep {
 namespace {
 
 // In periods:
-constexpr double same_time = 1e-15;      // times closer than this are the same
-constexpr double in_touch = 1e-12;       // a gap that closes within this is none where beads collapse
-constexpr double again = 1e-9;           // a pair that collides again within this does so in next to no time
+constexpr double same_time = 1e-15;       // times closer than this are the same
+constexpr double in_touch = 1e-12;        // a gap that closes within this is none where beads collapse
+constexpr double again = 1e-9;            // a pair that collides again within this does so in next to no time
 constexpr double shortest_flight = 1e-8;  // on the plate: it is as high as the roundings of the heights
 
 /// A pair that collides again and again in next to no time, by now slower than this part of its fastest collision
@@ -25,9 +25,18 @@ constexpr double collapsed = 1e-15;
 }  // namespace
 
 VibratedHardSpheres::VibratedHardSpheres(const Column<double>& column, const Plate& plate, const Options& options)
-    : plate_(plate), options_(options), period_(plate.period()), e_(column.eps), e_wall_(column.eps_wall),
-      equal_masses_(column.is_uniform()), contacts_(column.contacts()), heaviest_speed_(spread(column.mass)),
-      due_(contacts_.size()), impacts_(contacts_.size()), load_(plate.load(0.0)), plate_speed_(plate.speed(0.0)) {
+    : plate_(plate),
+      options_(options),
+      period_(plate.period()),
+      e_(column.eps),
+      e_wall_(column.eps_wall),
+      equal_masses_(column.is_uniform()),
+      contacts_(column.contacts()),
+      heaviest_speed_(spread(column.mass)),
+      due_(contacts_.size()),
+      impacts_(contacts_.size()),
+      load_(plate.load(0.0)),
+      plate_speed_(plate.speed(0.0)) {
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     Contact& contact = contacts_[k];
     contact.gap = column.initial_gap(k);

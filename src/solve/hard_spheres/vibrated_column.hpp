@@ -6,20 +6,20 @@
 #include <span>
 #include <vector>
 
-#include "contact/contact_state.hpp"
-#include "solve/hard_spheres/cluster.hpp"
-#include "assembly/ground.hpp"
-#include "sigmasweep/model/result.hpp"
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/column.hpp"
-#include "sigmasweep/base/budget.hpp"
+#include "assembly/ground.hpp"
+#include "contact/contact_state.hpp"
 #include "numerics/tournament.hpp"
+#include "sigmasweep/base/budget.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
+#include "solve/hard_spheres/cluster.hpp"
 
 namespace sigmasweep {
 
 /// Hard spheres on a plate that vibrates under gravity, from collision to collision; the beads start at rest relative
-/// to the plate, all gaps as in the column. Lengths and times are the plate's, masses are over the mean bead's, contacts
-/// are numbered 0 (the plate) to N-1. The state is each contact's gap and closing speed at its own time.
+/// to the plate, all gaps as in the column. Lengths and times are the plate's, masses are over the mean bead's,
+/// contacts are numbered 0 (the plate) to N-1. The state is each contact's gap and closing speed at its own time.
 ///
 /// Gaps between beads in flight change uniformly. The lowest beads may rest on the plate, as touching beads that move
 /// with it, until it falls away faster than gravity; the contact above them, 0 if none rests, is the one that the plate
@@ -32,7 +32,7 @@ class VibratedHardSpheres {
  public:
   struct Options {
     EdRule rule = EdRule::lrv;
-    double tc = 0.0;  ///< of EdRule::tc
+    double tc = 0.0;                                                  ///< of EdRule::tc
     std::uint64_t period_limit = 20'000'000, limit = 20'000'000'000;  ///< collisions in a period, and in all
     Patience* patience = nullptr;
   };
@@ -74,9 +74,9 @@ class VibratedHardSpheres {
 
   struct Contact {
     double gap = 0.0, u = 0.0, since = 0.0;
-    double last = -infinity;  ///< time of the last collision
-    double fastest = 0.0;     ///< of the collisions that have followed on each other in next to no time
-    double mass = 1.0;        ///< of the bead above
+    double last = -infinity;          ///< time of the last collision
+    double fastest = 0.0;             ///< of the collisions that have followed on each other in next to no time
+    double mass = 1.0;                ///< of the bead above
     double below = 0.0, above = 1.0;  ///< share of the lower and the upper bead in a change of u, by their masses
   };
 
@@ -117,14 +117,14 @@ class VibratedHardSpheres {
   double period_, e_, e_wall_;
   bool equal_masses_;
   std::vector<Contact> contacts_;
-  double heaviest_speed_;      ///< how much faster than the heaviest bead the lightest one can be with the same energy
-  Tournament<double> due_;     ///< approaching: when
-  Tournament<double> impacts_; ///< touching and approaching: minus how fast
+  double heaviest_speed_;       ///< how much faster than the heaviest bead the lightest one can be with the same energy
+  Tournament<double> due_;      ///< approaching: when
+  Tournament<double> impacts_;  ///< touching and approaching: minus how fast
   double now_ = 0.0, load_, plate_speed_;  ///< now
-  std::size_t resting_ = 0;    ///< beads that rest on the plate; the number of the driven contact
-  bool aimless_ = true;        ///< when the driven contact is due is not known yet
-  double take_off_ = infinity; ///< when those that rest will leave the plate
-  double booked_ = 0.0;        ///< what those had of energy_with_plate() when their work was last entered
+  std::size_t resting_ = 0;                ///< beads that rest on the plate; the number of the driven contact
+  bool aimless_ = true;                    ///< when the driven contact is due is not known yet
+  double take_off_ = infinity;             ///< when those that rest will leave the plate
+  double booked_ = 0.0;                    ///< what those had of energy_with_plate() when their work was last entered
   double resting_mass_ = 0.0;
   double start_energy_ = 0.0;
   double in_ = 0.0, lost_ = 0.0;          ///< the plate's work and what collisions lost in this period ...

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "solve/observer/samples.hpp"
-#include "base/vec2.hpp"
 #include "assembly/lattice.hpp"
+#include "base/vec2.hpp"
+#include "solve/observer/samples.hpp"
 
 namespace sigmasweep {
 

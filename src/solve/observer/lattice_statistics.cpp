@@ -31,11 +31,13 @@ constexpr double row_height = std::numbers::sqrt3 / 2.0;  // lattice constants
 
 LatticeStatistics::LatticeStatistics(const Parameters& p, const Lattice<double>& lattice, const Plate& plate,
                                      const VibrationUnits& units)
-    : plate_(plate), mass_(masses(lattice)),
+    : plate_(plate),
+      mass_(masses(lattice)),
       above_rest_(lattice.beads.gap * (1.0 + rows_below(lattice) * row_height)),
       averages_(p, plate, units, total(mass_),
                 lattice.largest * (0.5 + rows_below(lattice) * row_height) * units.length),
-      q_(lattice.count()), v_(lattice.count()) {
+      q_(lattice.count()),
+      v_(lattice.count()) {
   const double all = total(mass_);
   for (double& m : mass_) m /= all;
 }

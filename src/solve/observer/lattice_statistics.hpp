@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "assembly/ground.hpp"
-#include "sigmasweep/model/result.hpp"
-#include "sigmasweep/model/parameters.hpp"
-#include "base/vec2.hpp"
 #include "assembly/lattice.hpp"
+#include "base/vec2.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 #include "solve/observer/vibration_averages.hpp"
 
 namespace sigmasweep {

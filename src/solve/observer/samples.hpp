@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/column.hpp"
+#include "sigmasweep/model/parameters.hpp"
 
 namespace sigmasweep {
 
@@ -25,8 +25,10 @@ class Samples {
   static constexpr bool watches = true;
 
   Samples(std::vector<double> times, std::size_t contacts)
-      : times_(std::move(times)), contacts_(contacts),
-        x_(times_.size() * contacts, std::numeric_limits<double>::quiet_NaN()), u_(x_) {}
+      : times_(std::move(times)),
+        contacts_(contacts),
+        x_(times_.size() * contacts, std::numeric_limits<double>::quiet_NaN()),
+        u_(x_) {}
 
   /// Takes the samples up to and at `time` by `state(t, x, u)`, which fills in overlaps and rates at t.
   template <class State>

@@ -53,7 +53,11 @@ std::size_t repeats_after(std::span<const double> values, double scale) {
 
 VibrationAverages::VibrationAverages(const Parameters& p, const Plate& plate, const VibrationUnits& units,
                                      double total_mass, double rest_height)
-    : plate_(plate), units_(units), total_mass_(total_mass), rest_height_(rest_height), periods_(p.periods),
+    : plate_(plate),
+      units_(units),
+      total_mass_(total_mass),
+      rest_height_(rest_height),
+      periods_(p.periods),
       transient_(p.transient) {}
 
 void VibrationAverages::add(double height, double E_r) {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "assembly/ground.hpp"
-#include "sigmasweep/model/result.hpp"
 #include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 
 namespace sigmasweep {
 

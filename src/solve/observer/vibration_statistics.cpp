@@ -8,8 +8,12 @@ namespace sigmasweep {
 
 VibrationStatistics::VibrationStatistics(const Parameters& p, const Column<double>& column, const Plate& plate,
                                          const VibrationUnits& units)
-    : plate_(plate), units_(units), mass_(column.mass.empty() ? std::vector(column.contacts(), 1.0) : column.mass),
-      averages_(averages_of(p)), x_(column.contacts()), u_(column.contacts()) {}
+    : plate_(plate),
+      units_(units),
+      mass_(column.mass.empty() ? std::vector(column.contacts(), 1.0) : column.mass),
+      averages_(averages_of(p)),
+      x_(column.contacts()),
+      u_(column.contacts()) {}
 
 /// And masses over the column's.
 VibrationAverages VibrationStatistics::averages_of(const Parameters& p) {

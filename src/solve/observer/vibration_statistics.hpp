@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "assembly/ground.hpp"
-#include "sigmasweep/model/result.hpp"
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/column.hpp"
+#include "assembly/ground.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 #include "solve/observer/vibration_averages.hpp"
 
 namespace sigmasweep {
@@ -46,7 +46,7 @@ class VibrationStatistics {
   std::vector<double> mass_;  ///< over the column's
   VibrationAverages averages_;
   std::vector<double> x_, u_;
-  double separation_ = 0.0;   ///< sum over all samples
+  double separation_ = 0.0;  ///< sum over all samples
   double separation_max_ = -std::numeric_limits<double>::infinity();
 };
 

@@ -40,9 +40,9 @@ Modes make(RunKind kind, std::size_t c) {
     const long double half = std::sin(angle(kind, c, j) / 2);
     modes.lambda.push_back(4 * half * half);
   }
-  const long double norm =
-      std::sqrt(kind == RunKind::free ? 2 / static_cast<long double>(c + 1)
-                : kind == RunKind::at_wall ? 4 / static_cast<long double>(2 * c + 1) : 2 / static_cast<long double>(c));
+  const long double norm = std::sqrt(kind == RunKind::free      ? 2 / static_cast<long double>(c + 1)
+                                     : kind == RunKind::at_wall ? 4 / static_cast<long double>(2 * c + 1)
+                                                                : 2 / static_cast<long double>(c));
   for (std::size_t m = 0; m < c; ++m)
     for (std::size_t j = 0; j < c; ++j) {
       long double& shape = modes.shape[m * c + j];

@@ -16,8 +16,8 @@ enum class RunKind { free, at_wall, at_matched_wall };
 ///     y_j'' + lambda_j (C y_j' + K y_j) = 0,  lambda_j = 2 - 2 cos theta_j.
 struct Modes {
   std::vector<long double> lambda;
-  std::vector<long double> shape;      ///< [m c + j]
-  std::vector<long double> analysis;   ///< [m c + j]: y_j = sum_m analysis(m, j) x_m
+  std::vector<long double> shape;     ///< [m c + j]
+  std::vector<long double> analysis;  ///< [m c + j]: y_j = sum_m analysis(m, j) x_m
   std::size_t size() const { return lambda.size(); }
 };
 

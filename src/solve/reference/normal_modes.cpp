@@ -21,18 +21,24 @@ struct State {
 struct Run {
   std::size_t lo, hi;
   const Modes* modes;
-  std::vector<Real> y, v;           ///< the modes, at the present time
-  std::vector<Real> y_end, v_end;   ///< and at the end of the step
+  std::vector<Real> y, v;                   ///< the modes, at the present time
+  std::vector<Real> y_end, v_end;           ///< and at the end of the step
   std::vector<Real> second, third, fourth;  ///< bounds of the derivatives of y from now on
-  Real drift;                       ///< velocity of the centre of mass; 0 at the wall
+  Real drift;                               ///< velocity of the centre of mass; 0 at the wall
   bool holds(std::size_t k) const { return lo <= k && k <= hi; }
 };
 
 class NormalModesColumn {
  public:
   NormalModesColumn(const Column<Real>& column, const NormalModesOptions& options)
-      : column_(column), options_(options), N_(column.contacts()), closed_(N_, 0), run_of_(N_, nullptr), next_(N_),
-        slack_(1e-18L * static_cast<Real>(N_)), matched_(column.K_wall != column.K) {
+      : column_(column),
+        options_(options),
+        N_(column.contacts()),
+        closed_(N_, 0),
+        run_of_(N_, nullptr),
+        next_(N_),
+        slack_(1e-18L * static_cast<Real>(N_)),
+        matched_(column.K_wall != column.K) {
     if (options_.event_limit == 0) options_.event_limit = 100'000 + 20 * N_ * N_;
     for (std::size_t k = 0; k < N_; ++k) now_.push_back({-column.initial_gap(k), 0});
     now_[0].u = column.speed;
@@ -41,8 +47,10 @@ class NormalModesColumn {
   Outcome<Real> operator()() {
     begin();
     while (outcome_.status == Status::ok && outcome_.end == End::none) {
-      if (runs_.empty()) fly();
-      else step();
+      if (runs_.empty())
+        fly();
+      else
+        step();
       if (outcome_.contacts > options_.event_limit || work_ > options_.work_limit)
         outcome_.status = Status::event_limit;
       if (!std::isfinite(now_[0].u)) outcome_.status = Status::non_finite;

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "sigmasweep/model/result.hpp"
 #include "assembly/column.hpp"
+#include "sigmasweep/model/result.hpp"
 
 /// A second opinion on the linear law, for columns of equal beads: a run of closed contacts moves as its normal modes,
 /// each a damped oscillator with a closed solution, and events are found by short steps with bounds of what happens
@@ -11,8 +11,8 @@
 namespace sigmasweep {
 
 struct NormalModesOptions {
-  double settle = 0.0;  ///< stop once later collisions can change eps_eff by less than this; 0: never
-  std::uint64_t event_limit = 0;           ///< contacts before giving up; 0: 100,000 + 20 N^2
+  double settle = 0.0;            ///< stop once later collisions can change eps_eff by less than this; 0: never
+  std::uint64_t event_limit = 0;  ///< contacts before giving up; 0: 100,000 + 20 N^2
   std::uint64_t work_limit = 2'000'000'000;  ///< modes evaluated, summed over all contacts, before giving up: minutes
 };
 

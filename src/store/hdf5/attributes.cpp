@@ -1,7 +1,7 @@
 #include "store/hdf5/attributes.hpp"
 
-#include "store/hdf5/handle.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "store/hdf5/handle.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -18,9 +18,7 @@ void put_attribute(hid_t object, const std::string& name, hid_t type, hid_t spac
 
 Handle scalar() { return {H5Screate(H5S_SCALAR), H5Sclose, "cannot make a data space"}; }
 
-Handle list(hsize_t length) {
-  return {H5Screate_simple(1, &length, nullptr), H5Sclose, "cannot make a data space"};
-}
+Handle list(hsize_t length) { return {H5Screate_simple(1, &length, nullptr), H5Sclose, "cannot make a data space"}; }
 
 /// Text of fixed length, as H5MD 1.1 wants it; ASCII where that will do.
 Handle text_type(const std::string& text, std::size_t length) {

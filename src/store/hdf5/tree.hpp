@@ -20,11 +20,11 @@ std::vector<std::byte> image_of(hid_t file);
 
 Handle new_group(hid_t parent, const std::string& name);
 
-void put_text(hid_t object, const std::string& name, const std::string& text);  ///< of fixed length
+void put_text(hid_t object, const std::string& name, const std::string& text);              ///< of fixed length
 void put_texts(hid_t object, const std::string& name, std::span<const std::string> texts);  ///< not empty
 void put_real(hid_t object, const std::string& name, double value);
 void put_whole(hid_t object, const std::string& name, std::int64_t value);
-void put_version(hid_t object, int major, int minor);                           ///< version [major, minor]
+void put_version(hid_t object, int major, int minor);  ///< version [major, minor]
 std::string get_text(hid_t object, const std::string& name);
 std::vector<std::string> get_texts(hid_t object, const std::string& name);
 

@@ -12,10 +12,10 @@
 #include <cstdio>
 #include <span>
 
-#include "store/journal/lock.hpp"
-#include "store/files.hpp"
-#include "store/journal/record.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "store/files.hpp"
+#include "store/journal/lock.hpp"
+#include "store/journal/record.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -41,10 +41,15 @@ void keep_last_of_each_index(std::vector<Row>& rows) {
 
 struct Journal::Impl {
   Impl(const std::string& table_path, const JournalIdentity& identity_, bool fresh, const Carry& carry)
-      : lock(table_path), path(table_path + ".journal"), identity(identity_), codec(make_header(identity_)),
+      : lock(table_path),
+        path(table_path + ".journal"),
+        identity(identity_),
+        codec(make_header(identity_)),
         buffer(codec.size()) {
-    if (fresh) create({});
-    else open_existing(carry);
+    if (fresh)
+      create({});
+    else
+      open_existing(carry);
   }
   ~Impl() {
     if (file.is_open() && failure.empty() && unsynced != 0) ::fdatasync(file.fd());  // nobody left to tell
@@ -89,8 +94,10 @@ void Journal::Impl::open_existing(const Carry& carry) {
       why_unusable(header, size, {header.spec_hash, identity.physics_version, header.rows}).empty();
   if (!why.empty() && carry && same_but_for_the_sweep) return replace(header, carry);
   if (!why.empty())
-    throw OutputError(fmt::format("{} {}. Start the sweep again with --fresh, which replaces it, or choose another "
-                                  "output with -o", path, why));
+    throw OutputError(
+        fmt::format("{} {}. Start the sweep again with --fresh, which replaces it, or choose another "
+                    "output with -o",
+                    path, why));
   recover(codec);
   if (::ftruncate(file.fd(), static_cast<off_t>(end())) != 0) fail("cut the torn end of", errno);
 }

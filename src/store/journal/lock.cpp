@@ -21,7 +21,8 @@ struct flock whole_file() {
 
 /// Whether `path` still is the file that `fd` has open. A former owner may have removed it between our open and lock.
 bool same_file(int fd, const std::string& path) {
-  struct stat opened {}, named {};
+  struct stat opened {
+  }, named{};
   return ::fstat(fd, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
          opened.st_ino == named.st_ino;
 }
@@ -47,12 +48,13 @@ TableLock::TableLock(const std::string& table_path) : path_(table_path + ".lock"
       continue;
     }
     if (errno == EINTR) continue;
-    if (errno != EACCES && errno != EAGAIN)
-      throw OutputError(fmt::format("cannot lock {}: {}", path_, reason(errno)));
+    if (errno != EACCES && errno != EAGAIN) throw OutputError(fmt::format("cannot lock {}: {}", path_, reason(errno)));
     const std::string who = holder(file_.fd());
     if (!who.empty())
-      throw OutputError(fmt::format("another run is working on {}: {} holds {}. Wait for it to end or choose another "
-                                    "output with -o", table_path, who, path_));
+      throw OutputError(
+          fmt::format("another run is working on {}: {} holds {}. Wait for it to end or choose another "
+                      "output with -o",
+                      table_path, who, path_));
   }
 }
 

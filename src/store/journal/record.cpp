@@ -7,9 +7,9 @@
 #include <cstring>
 #include <type_traits>
 
-#include "store/table/packing.hpp"
-#include "store/build_info.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "store/build_info.hpp"
+#include "store/table/packing.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -77,8 +77,7 @@ std::string why_unusable(const JournalHeader& found, std::size_t size, const Jou
   if (found.physics_version != wanted.physics_version)
     return fmt::format("was begun with physics version {}, this program has {}", found.physics_version,
                        wanted.physics_version);
-  if (found.build != wanted.build)
-    return "was begun by another build of the program, whose last digits may differ";
+  if (found.build != wanted.build) return "was begun by another build of the program, whose last digits may differ";
   if (found.rows != wanted.rows)
     return fmt::format("is of a sweep of {} rows, this one has {}", found.rows, wanted.rows);
   return {};

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "store/journal/journal.hpp"
 #include "sigmasweep/model/fields.hpp"
+#include "store/journal/journal.hpp"
 
 /// The bytes of a journal: one header, then records of one size. Numbers are the machine's own (a journal is finished
 /// where it was begun).

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "sigmasweep/base/errors.hpp"
 #include "store/hdf5/attributes.hpp"
 #include "store/hdf5/handle.hpp"
-#include "sigmasweep/base/errors.hpp"
 #include "store/table/types.hpp"
 
 namespace sigmasweep {
@@ -20,12 +20,12 @@ namespace {
 const char* const what = "cannot read the type of a row";
 
 std::string number_name(hid_t type) {
-  const std::array<std::pair<hid_t, const char*>, 20> known{{
-      {H5T_IEEE_F64LE, "<f8"}, {H5T_IEEE_F64BE, ">f8"}, {H5T_IEEE_F32LE, "<f4"}, {H5T_IEEE_F32BE, ">f4"},
-      {H5T_STD_I64LE, "<i8"},  {H5T_STD_I64BE, ">i8"},  {H5T_STD_U64LE, "<u8"},  {H5T_STD_U64BE, ">u8"},
-      {H5T_STD_I32LE, "<i4"},  {H5T_STD_I32BE, ">i4"},  {H5T_STD_U32LE, "<u4"},  {H5T_STD_U32BE, ">u4"},
-      {H5T_STD_I16LE, "<i2"},  {H5T_STD_I16BE, ">i2"},  {H5T_STD_U16LE, "<u2"},  {H5T_STD_U16BE, ">u2"},
-      {H5T_STD_I8LE, "|i1"},   {H5T_STD_U8LE, "|u1"},   {H5T_STD_I8BE, "|i1"},   {H5T_STD_U8BE, "|u1"}}};
+  const std::array<std::pair<hid_t, const char*>, 20> known{
+      {{H5T_IEEE_F64LE, "<f8"}, {H5T_IEEE_F64BE, ">f8"}, {H5T_IEEE_F32LE, "<f4"}, {H5T_IEEE_F32BE, ">f4"},
+       {H5T_STD_I64LE, "<i8"},  {H5T_STD_I64BE, ">i8"},  {H5T_STD_U64LE, "<u8"},  {H5T_STD_U64BE, ">u8"},
+       {H5T_STD_I32LE, "<i4"},  {H5T_STD_I32BE, ">i4"},  {H5T_STD_U32LE, "<u4"},  {H5T_STD_U32BE, ">u4"},
+       {H5T_STD_I16LE, "<i2"},  {H5T_STD_I16BE, ">i2"},  {H5T_STD_U16LE, "<u2"},  {H5T_STD_U16BE, ">u2"},
+       {H5T_STD_I8LE, "|i1"},   {H5T_STD_U8LE, "|u1"},   {H5T_STD_I8BE, "|i1"},   {H5T_STD_U8BE, "|u1"}}};
   for (const auto& [number, name] : known)
     if (H5Tequal(type, number) > 0) return name;
   throw IoError("a member is of a type that is not known");

@@ -5,9 +5,9 @@
 #include <array>
 #include <utility>
 
-#include "store/hdf5/attributes.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "store/build_info.hpp"
+#include "store/hdf5/attributes.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/types.hpp"
 

@@ -9,8 +9,7 @@ namespace {
 static_assert(std::is_trivially_copyable_v<Row>);
 static_assert(sizeof(Method) == 1 && sizeof(Geometry) == 1 && sizeof(Wall) == 1 && sizeof(Integrator) == 1 &&
               sizeof(Law) == 1 && sizeof(Material) == 1 && sizeof(EdRule) == 1 && sizeof(Flag) == 1 &&
-              sizeof(SideWalls) == 1 &&
-              sizeof(End) == 1 && sizeof(Status) == 1);
+              sizeof(SideWalls) == 1 && sizeof(End) == 1 && sizeof(Status) == 1);
 
 }  // namespace
 

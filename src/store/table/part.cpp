@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "store/hdf5/attributes.hpp"
-#include "store/table/packing.hpp"
 #include "store/files.hpp"
+#include "store/hdf5/attributes.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
+#include "store/table/packing.hpp"
 #include "store/table/types.hpp"
 
 namespace sigmasweep {
@@ -41,8 +41,9 @@ Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows, st
   check(H5Pset_obj_track_times(creation, false), what);
   const hsize_t extent = rows;
   const Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose, what);
-  Handle dataset(H5Dcreate2(file, section.name.c_str(), packed_type(section.fields), space, H5P_DEFAULT, creation,
-                            H5P_DEFAULT), H5Dclose, what);
+  Handle dataset(
+      H5Dcreate2(file, section.name.c_str(), packed_type(section.fields), space, H5P_DEFAULT, creation, H5P_DEFAULT),
+      H5Dclose, what);
   for (const Field& field : section.fields) {
     write_text(dataset, fmt::format("unit:{}", field.name), std::string(field.unit));
     write_text(dataset, fmt::format("meaning:{}", field.name), std::string(field.meaning));
@@ -55,8 +56,9 @@ Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows, st
 Handle select(hid_t dataset, std::uint64_t first, std::uint64_t rows) {
   Handle space(H5Dget_space(dataset), H5Sclose, "cannot select rows");
   const hsize_t start = first, count = rows;
-  check(rows == 0 ? H5Sselect_none(space)
-                  : H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &count, nullptr), "cannot select rows");
+  check(
+      rows == 0 ? H5Sselect_none(space) : H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &count, nullptr),
+      "cannot select rows");
   return space;
 }
 

@@ -6,14 +6,14 @@
 #include <span>
 #include <string_view>
 
-#include "store/hdf5/handle.hpp"
-#include "store/table/packing.hpp"
-#include "store/files.hpp"
-#include "store/table/seal.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "store/table/table.hpp"
+#include "store/files.hpp"
+#include "store/hdf5/handle.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
+#include "store/table/packing.hpp"
+#include "store/table/seal.hpp"
+#include "store/table/table.hpp"
 #include "store/table/types.hpp"
 
 namespace sigmasweep {

@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "store/files.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "store/files.hpp"
 
 namespace sigmasweep {
 namespace {

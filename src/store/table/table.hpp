@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <hdf5.h>  // brings MPI_Comm with the parallel library
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>

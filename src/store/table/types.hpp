@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "store/hdf5/handle.hpp"
 #include "sigmasweep/model/fields.hpp"
+#include "store/hdf5/handle.hpp"
 
 /// What a table looks like in HDF5, for the writer and the reader.
 namespace sigmasweep {

@@ -11,12 +11,12 @@
 #include <system_error>
 
 #include "mpi/collective.hpp"
+#include "store/files.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/table/packing.hpp"
-#include "store/files.hpp"
+#include "store/table/part.hpp"
 #include "store/table/seal.hpp"
 #include "store/table/table.hpp"
-#include "store/table/part.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -53,8 +53,10 @@ void prepare(const std::string& path, const std::string& part, std::uint64_t byt
 /// The ranks' file systems may differ, and a rank that cannot open the file would leave the others waiting for it.
 void see_same_file(const std::string& part, int rank) {
   if (!File(part, O_RDWR).is_open())
-    throw OutputError(fmt::format("rank {} cannot open {}, which rank 0 created: {}. All ranks need the same file "
-                                  "system", rank, part, reason(errno)));
+    throw OutputError(
+        fmt::format("rank {} cannot open {}, which rank 0 created: {}. All ranks need the same file "
+                    "system",
+                    rank, part, reason(errno)));
 }
 
 /// The blocks must cover the table; nothing would fill a gap.
@@ -69,13 +71,14 @@ void check_blocks(const Team& team, const Slice& slice, std::uint64_t total_rows
 }
 
 /// Every rank reads what the next one wrote: its own rows it might find in its own machine's memory.
-void read_back(const Team& team, const std::string& part, std::span<const Section> sections,
-               std::uint64_t total_rows, const Block& block, const std::vector<Checksums>& checksums) {
+void read_back(const Team& team, const std::string& part, std::span<const Section> sections, std::uint64_t total_rows,
+               const Block& block, const std::vector<Checksums>& checksums) {
   std::vector<std::uint64_t> message{block.first, block.rows.size()};
   for (const Checksums& each : checksums) message.push_back(each.block);
   const int before = (team.rank() + team.size() - 1) % team.size(), next = (team.rank() + 1) % team.size();
   check_mpi(MPI_Sendrecv_replace(message.data(), static_cast<int>(message.size()), MPI_UINT64_T, before, 0, next, 0,
-                                 team.comm(), MPI_STATUS_IGNORE), "cannot exchange checksums");
+                                 team.comm(), MPI_STATUS_IGNORE),
+            "cannot exchange checksums");
   team.together([&] {
     const auto found = checksums_in_part(part, sections, total_rows, message[0], message[1]);
     for (std::size_t i = 0; i < sections.size(); ++i)
@@ -93,18 +96,22 @@ void publish(const std::string& part, const std::string& path) {
   sync_directory_of(path);
 }
 
-void write_together(const Team& team, const std::string& path, const TableInfo& info,
-                    std::span<const Section> sections, std::uint64_t total_rows, const Block& block) {
+void write_together(const Team& team, const std::string& path, const TableInfo& info, std::span<const Section> sections,
+                    std::uint64_t total_rows, const Block& block) {
   const std::string part = path + ".part";
   std::uint64_t bytes = (std::uint64_t{1} << 16) + 2 * (info.title.size() + info.spec_text.size());
   for (const Section& section : sections) bytes += total_rows * packed_size(section.fields);
   check_blocks(team, info.slice, total_rows, block);
   try {
-    team.together([&] { if (team.rank() == 0) prepare(path, part, bytes); });
+    team.together([&] {
+      if (team.rank() == 0) prepare(path, part, bytes);
+    });
     team.together([&] { see_same_file(part, team.rank()); });
     const auto checksums = write_part(team, part, info, sections, total_rows, block);
     read_back(team, part, sections, total_rows, block, checksums);
-    team.together([&] { if (team.rank() == 0) publish(part, path); });
+    team.together([&] {
+      if (team.rank() == 0) publish(part, path);
+    });
   } catch (const Error&) {
     if (team.rank() == 0) ::unlink(part.c_str());
     throw;

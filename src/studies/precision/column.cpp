@@ -2,14 +2,14 @@
 #include <memory>
 #include <utility>
 
-#include "studies/precision/subject.hpp"
-#include "sigmasweep/contact/law.hpp"
 #include "base/quad.hpp"
-#include "solve/exact/linear/collision.hpp"
-#include "solve/fixed_step/collision.hpp"
-#include "solve/exact/power_law/collision.hpp"
-#include "solve/reference/normal_modes.hpp"
+#include "sigmasweep/contact/law.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/exact/linear/collision.hpp"
+#include "solve/exact/power_law/collision.hpp"
+#include "solve/fixed_step/collision.hpp"
+#include "solve/reference/normal_modes.hpp"
+#include "studies/precision/subject.hpp"
 
 /// Columns that fly into a wall.
 namespace sigmasweep {

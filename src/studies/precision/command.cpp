@@ -10,17 +10,17 @@
 #include <set>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "engine/stop.hpp"
 #include "base/exit_codes.hpp"
-#include "mpi/on_root.hpp"
-#include "studies/precision/pictures.hpp"
-#include "engine/provenance.hpp"
-#include "sigmasweep/base/errors.hpp"
-#include "studies/precision/measure.hpp"
+#include "cli/commands.hpp"
 #include "engine/progress.hpp"
-#include "studies/precision/table.hpp"
+#include "engine/provenance.hpp"
+#include "engine/stop.hpp"
+#include "mpi/on_root.hpp"
+#include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "studies/precision/measure.hpp"
+#include "studies/precision/pictures.hpp"
+#include "studies/precision/table.hpp"
 
 namespace sigmasweep {
 namespace {

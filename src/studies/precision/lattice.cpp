@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "studies/precision/subject.hpp"
-#include "base/random.hpp"
 #include "assembly/lattice.hpp"
+#include "base/random.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "studies/precision/subject.hpp"
 
 /// Lattices that fly into a wall.
 namespace sigmasweep {
@@ -24,8 +24,7 @@ std::vector<double> velocities(const Lattice<Real>& lattice, const LatticeOutcom
 Reference by_steps(double accuracy) {
   return [accuracy](const Parameters& p) {
     const auto lattice = reduced_lattice<long double>(p);
-    const auto outcome =
-        lattice_collision(lattice, {.accuracy = accuracy, .settle = 1e-17, .work_limit = most_work});
+    const auto outcome = lattice_collision(lattice, {.accuracy = accuracy, .settle = 1e-17, .work_limit = most_work});
     Answer a;
     a.known = outcome.status == Status::ok;
     if (!a.known) return a;
@@ -72,8 +71,7 @@ Subject lattice_subject(const Parameters& scene, const PrecisionSpec& spec) {
   Subject lattice{.tuples = with_other_sigmas(scene, spec), .reference = by_steps(1e-15), .check = by_steps(1e-13)};
   if (scene.random_separation == Flag::yes)
     for (std::size_t k = 0; k < lattice.tuples.size(); ++k)
-      lattice.tuples[k].seed =
-          static_cast<std::int64_t>(random_bits(stream_key(spec.seed, "shifts"), k) >> 1);
+      lattice.tuples[k].seed = static_cast<std::int64_t>(random_bits(stream_key(spec.seed, "shifts"), k) >> 1);
   lattice.trial = [longest = too_long * spec.longest](const Parameters& p, double phase) {
     return p.integrator == Integrator::exact ? exact_trial(p, longest) : fixed_step_trial(p, phase, longest);
   };

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/precision/references.hpp"
-#include "sigmasweep/model/geometry.hpp"
 #include "base/thread_clock.hpp"
+#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/sweep/cost.hpp"
+#include "studies/precision/references.hpp"
 
 namespace sigmasweep {
 
@@ -27,8 +27,10 @@ struct Setting {
 
 Parameters with_setting(Parameters p, Integrator integrator, double value) {
   p.integrator = integrator;
-  if (integrator != Integrator::exact) p.steps_per_tc = value;
-  else if (value == value) p.tolerance = value;
+  if (integrator != Integrator::exact)
+    p.steps_per_tc = value;
+  else if (value == value)
+    p.tolerance = value;
   return p;
 }
 
@@ -95,8 +97,7 @@ void leave_out(Setting& setting) {
   setting.trials.clear();
 }
 
-void measure_errors(Setting& setting, const Subject& subject, const References& references,
-                    const PrecisionSpec& spec) {
+void measure_errors(Setting& setting, const Subject& subject, const References& references, const PrecisionSpec& spec) {
   PrecisionRow& row = setting.row;
   Errors errors;
   double evaluations = 0.0;
@@ -112,7 +113,8 @@ void measure_errors(Setting& setting, const Subject& subject, const References& 
     setting.errors_took += thread_seconds() - start;
     evaluations += found.evaluations;
     ++row.tuples;
-    if (found.failed) ++row.failures;
+    if (found.failed)
+      ++row.failures;
     else if (references.usable(which))
       errors.add(found.value, trial.velocity ? trial.velocity() : found.velocity, references.answers[which]);
   }

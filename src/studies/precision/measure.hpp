@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sigmasweep/studies/precision/study.hpp"
 #include "sigmasweep/model/row.hpp"
+#include "sigmasweep/studies/precision/study.hpp"
 
 /// The precision study: error of every integrator against its time, measured against references that are better by
 /// many digits.
@@ -14,10 +14,10 @@ namespace sigmasweep {
 
 /// All settings of one scene, in the order of the spec.
 ///
-/// The tuples of a scene are alike, but contacts fall anywhere within a step: contacts in phase with the grid would make
-/// errors look smaller than they are. What flies has another sigma (by up to 1e-3) and, in fixed steps, begins higher by
-/// a random fraction of a step's flight; lattices have other shifts; what vibrates has another amplitude (by up to 1e-3),
-/// and steps shorter by up to 1 %. They are the same for all integrators.
+/// The tuples of a scene are alike, but contacts fall anywhere within a step: contacts in phase with the grid would
+/// make errors look smaller than they are. What flies has another sigma (by up to 1e-3) and, in fixed steps, begins
+/// higher by a random fraction of a step's flight; lattices have other shifts; what vibrates has another amplitude (by
+/// up to 1e-3), and steps shorter by up to 1 %. They are the same for all integrators.
 ///
 /// Errors are those of eps_eff and of the final velocities; of what vibrates of h_cm/A0, no velocities. Velocities are
 /// those that a solver leaves: it stops once later contacts cannot change eps_eff by more than 1e-3 of the tolerance

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "plot/named.hpp"
+#include "plot/row_choice.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "studies/precision/measure.hpp"
-#include "plot/row_choice.hpp"
 #include "studies/precision/table.hpp"
 
 namespace sigmasweep {

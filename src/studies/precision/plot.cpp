@@ -11,9 +11,9 @@
 #include "plot/labels.hpp"
 #include "plot/range.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "studies/precision/measure.hpp"
-#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/names.hpp"
+#include "studies/precision/measure.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -74,10 +74,11 @@ class Picture {
   }
 
   std::string axes() const {
-    return fmt::format("set logscale xy\nset format x '10^{{%L}}'\nset format y '10^{{%L}}'\nset xrange [{:g}:{:g}]\n"
-                       "set yrange [{:g}:{:g}]\nset xtics 1e3\nset xlabel 'error of {}: median, to largest'\n"
-                       "set ylabel 'CPU time a tuple (s)'\n",
-                       errors_.low, errors_.high, times_.low, times_.high, quantity_);
+    return fmt::format(
+        "set logscale xy\nset format x '10^{{%L}}'\nset format y '10^{{%L}}'\nset xrange [{:g}:{:g}]\n"
+        "set yrange [{:g}:{:g}]\nset xtics 1e3\nset xlabel 'error of {}: median, to largest'\n"
+        "set ylabel 'CPU time a tuple (s)'\n",
+        errors_.low, errors_.high, times_.low, times_.high, quantity_);
   }
 
   std::string panel(const Panel& panel, std::size_t number, bool key) const {
@@ -138,9 +139,10 @@ void draw(std::span<const Panel> panels, const std::string& quantity, const std:
   std::string script =
       fmt::format("set encoding utf8\nset terminal {}\n", panels_terminal(form, 100.0 + 340.0 * x, 90.0 + 300.0 * y));
   script += fmt::format("set multiplot layout {},{} rowsfirst title {} noenhanced\n", lines, columns, quoted(title));
-  script += "set border 3 linecolor '#404040'\nset tics nomirror out\nset key right top samplen 1.5 reverse Left\n"
-            "set grid linetype 1 linecolor '#E4E4E4' linewidth 0.6\n" +
-            picture.axes();
+  script +=
+      "set border 3 linecolor '#404040'\nset tics nomirror out\nset key right top samplen 1.5 reverse Left\n"
+      "set grid linetype 1 linecolor '#E4E4E4' linewidth 0.6\n" +
+      picture.axes();
   for (std::size_t k = 0; k < panels.size(); ++k) script += picture.panel(panels[k], k, k == 0);
   run_gnuplot(script + "unset multiplot\n", path);
 }
@@ -169,8 +171,10 @@ void plot_precision(std::span<const PrecisionRow> rows, std::span<const std::str
         .marks.push_back({row.error_median, row.error_max, row.run_time, row.failures > 0});
   }
   if (panels.size() > most_precision_panels)
-    throw UsageError(fmt::format("plot: {} scenes, but at most {} find room on a picture: choose with 'where' in "
-                                 "[plot]", panels.size(), most_precision_panels));
+    throw UsageError(
+        fmt::format("plot: {} scenes, but at most {} find room on a picture: choose with 'where' in "
+                    "[plot]",
+                    panels.size(), most_precision_panels));
   const auto vibrated = std::ranges::count_if(rows, [](const PrecisionRow& r) { return is_vibrated(r.parameters); });
   const std::string both = fmt::format("{} (vibrated: {})", eps_eff, height);
   draw(panels, vibrated == 0 ? eps_eff : vibrated == std::ssize(rows) ? height : both, title, path);

@@ -31,8 +31,10 @@ References find_references(const Subject& subject, const PrecisionSpec& spec) {
       ++found.checks;
       const auto difference = static_cast<double>(std::fabs(other.value - answer.value));
       agree = other.known && answer.known && difference <= chaos;
-      if (!agree) ++found.chaotic;
-      else if (!(found.noise >= difference)) found.noise = difference;
+      if (!agree)
+        ++found.chaotic;
+      else if (!(found.noise >= difference))
+        found.noise = difference;
       if (agree && subject.check_is_better) answer = std::move(other);
     }
     found.answers.push_back(std::move(answer));

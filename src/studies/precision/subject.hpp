@@ -15,7 +15,7 @@ namespace sigmasweep {
 /// What a reference says of a tuple.
 struct Answer {
   bool known = false;
-  long double value = 0.0L;      ///< eps_eff; of what vibrates h_cm/A0
+  long double value = 0.0L;        ///< eps_eff; of what vibrates h_cm/A0
   std::vector<double> velocity{};  ///< final ones, all components, units of v0; of what vibrates none
 };
 
@@ -29,8 +29,8 @@ struct Found {
 
 /// A tuple with an integrator and its setting, all made ready.
 struct Trial {
-  std::function<Found()> run;                        ///< what is timed
-  std::function<std::vector<double>()> velocity{};   ///< what run() leaves out, if there is any
+  std::function<Found()> run;                       ///< what is timed
+  std::function<std::vector<double>()> velocity{};  ///< what run() leaves out, if there is any
 };
 
 using Reference = std::function<Answer(const Parameters&)>;

@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <vector>
 
-#include "store/hdf5/attributes.hpp"
-#include "store/hdf5/tree.hpp"
-#include "store/hdf5/handle.hpp"
-#include "store/table/packing.hpp"
-#include "store/files.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "store/files.hpp"
+#include "store/hdf5/attributes.hpp"
+#include "store/hdf5/handle.hpp"
+#include "store/hdf5/tree.hpp"
 #include "store/table/info.hpp"
+#include "store/table/packing.hpp"
 #include "store/table/types.hpp"
 
 namespace sigmasweep {
@@ -36,8 +36,8 @@ Handle row_type(std::span<const Field> parameters) {
     offset += packed_size(field.type);
   }
   for (const PrecisionField& field : precision_fields()) {
-    check(H5Tinsert(type, std::string(field.name).c_str(), offset,
-                    field.real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64), what);
+    check(H5Tinsert(type, std::string(field.name).c_str(), offset, field.real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64),
+          what);
     offset += number_size;
   }
   return type;

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "store/table/table.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/studies/precision/study.hpp"
+#include "store/table/table.hpp"
 
 namespace sigmasweep {
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "studies/precision/measure.hpp"
-#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/fields.hpp"
+#include "sigmasweep/model/names.hpp"
+#include "studies/precision/measure.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -19,10 +19,11 @@ std::string scene_line(const PrecisionRow& row, std::span<const std::string> axe
 
 /// "errors of eps_eff; references: 400; 20 checked by another method, which agrees to 2e-17"
 std::string reference_line(const PrecisionRow& row) {
-  std::string line = fmt::format("  errors of {}; references: {}; {} checked by {}",
-                                 precision_quantity(row.parameters), row.references, row.checks,
-                                 row.independent != 0 ? "another method" : "the same method at another accuracy "
-                                                                           "(less independent)");
+  std::string line = fmt::format("  errors of {}; references: {}; {} checked by {}", precision_quantity(row.parameters),
+                                 row.references, row.checks,
+                                 row.independent != 0 ? "another method"
+                                                      : "the same method at another accuracy "
+                                                        "(less independent)");
   if (row.checks > row.chaotic) line += fmt::format(", which agrees to {:.1e}", row.noise);
   if (row.chaotic > 0)
     line += fmt::format("; CHAOTIC: {} of them differ by more than 1e-9, only the others are compared", row.chaotic);

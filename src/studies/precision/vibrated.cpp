@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include "studies/precision/subject.hpp"
+#include "base/random.hpp"
 #include "sigmasweep/contact/law.hpp"
 #include "sigmasweep/model/geometry.hpp"
-#include "base/random.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/vibrated.hpp"
+#include "studies/precision/subject.hpp"
 
 /// Columns and lattices on a plate that vibrates.
 namespace sigmasweep {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/commands.hpp"
 #include "base/exit_codes.hpp"
+#include "cli/commands.hpp"
+#include "engine/stored_sweep.hpp"
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "studies/stability/map_text_and_plot.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
-#include "engine/stored_sweep.hpp"
+#include "studies/stability/map_text_and_plot.hpp"
 
 namespace sigmasweep {
 namespace {

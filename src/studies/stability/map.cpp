@@ -8,12 +8,12 @@
 
 #include "plot/coordinate.hpp"
 #include "plot/labels.hpp"
-#include "sigmasweep/base/errors.hpp"
 #include "plot/row_choice.hpp"
-#include "studies/stability/map_text_and_plot.hpp"
+#include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/contact/law.hpp"
-#include "solve/fixed_step/stability.hpp"
 #include "sigmasweep/model/relevance.hpp"
+#include "solve/fixed_step/stability.hpp"
+#include "studies/stability/map_text_and_plot.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -8,8 +8,8 @@
 #include "plot/labels.hpp"
 #include "plot/range.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "studies/stability/map_text_and_plot.hpp"
 #include "studies/stability/map.hpp"
+#include "studies/stability/map_text_and_plot.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -79,9 +79,10 @@ std::string axes_script(std::span<const StabilityMap> maps, bool y_log) {
   const double room = 0.06 * std::max(values.high - values.low, 1e-3 * values.high);
   const double low = y_log ? values.low / 1.2 : values.low - room;
   const double high = y_log ? values.high * 1.2 : values.high + room;
-  return fmt::format("set logscale {}\nset xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\nset xlabel 'dt/t_c'\n"
-                     "set format x '%g'\nset format y '%g'\n",
-                     y_log ? "xy" : "x", steps.low / 1.2, 1.2 * steps.high, low, high);
+  return fmt::format(
+      "set logscale {}\nset xrange [{:g}:{:g}]\nset yrange [{:g}:{:g}]\nset xlabel 'dt/t_c'\n"
+      "set format x '%g'\nset format y '%g'\n",
+      y_log ? "xy" : "x", steps.low / 1.2, 1.2 * steps.high, low, high);
 }
 
 /// As many panels in a line as there are maps with the same first axis, if that fits.
@@ -110,9 +111,10 @@ void plot_stability(std::span<const Row> rows, const PlotSpec& plot, std::span<c
       "spacing screen {:.3f},{:.3f}\n",
       lines, columns, quoted(plot.title.empty() ? title : plot.title), 0.22 / (x + 0.35), 0.48 / (y + 0.45),
       1.0 - 0.36 / (y + 0.45), 0.16 / x, 0.30 / y);
-  script += "set border 3 linecolor '#404040'\nset tics nomirror out\nset grid linetype 1 linecolor '#E4E4E4' "
-            "linewidth 0.6\nunset key\n" +
-            axes_script(maps, plot.y_log);
+  script +=
+      "set border 3 linecolor '#404040'\nset tics nomirror out\nset grid linetype 1 linecolor '#E4E4E4' "
+      "linewidth 0.6\nunset key\n" +
+      axes_script(maps, plot.y_log);
   for (std::size_t k = 0; k < maps.size(); ++k) {
     if (k % columns == 1) script += "set ylabel ''\n";
     if (k % columns == 0) script += fmt::format("set ylabel {}\n", quoted(symbol_of(stability_axis(plot))));

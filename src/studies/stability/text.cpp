@@ -2,16 +2,16 @@
 
 #include <map>
 
-#include "studies/stability/map_text_and_plot.hpp"
 #include "studies/stability/map.hpp"
+#include "studies/stability/map_text_and_plot.hpp"
 
 namespace sigmasweep {
 namespace {
 
 /// Of the rows at one y.
 struct Line {
-  double most = 0.0;   ///< steps a tc of the shortest step that came out unstable
-  double fewest = 0.0; ///< of the longest one from which on all are stable
+  double most = 0.0;    ///< steps a tc of the shortest step that came out unstable
+  double fewest = 0.0;  ///< of the longest one from which on all are stable
   double predicted = 0.0;
 };
 
@@ -36,9 +36,12 @@ struct Count {
   std::uint64_t agree = 0, only_theory = 0, only_rows = 0, nothing = 0;
   void take(const StabilityCell& cell) {
     const bool unstable = cell.observed == Observed::unstable;
-    if (cell.observed == Observed::nothing) ++nothing;
-    else if (unstable != cell.predicted_stable) ++agree;
-    else ++(unstable ? only_rows : only_theory);
+    if (cell.observed == Observed::nothing)
+      ++nothing;
+    else if (unstable != cell.predicted_stable)
+      ++agree;
+    else
+      ++(unstable ? only_rows : only_theory);
   }
 };
 
@@ -58,7 +61,8 @@ std::string stability_text(std::span<const Row> rows, const PlotSpec& plot, std:
   }
   out += fmt::format(
       "\n{} rows as predicted; {} predicted to be unstable in which nothing was seen (the beads come apart before it\n"
-      "shows); {} unstable that were predicted to be stable", count.agree, count.only_theory, count.only_rows);
+      "shows); {} unstable that were predicted to be stable",
+      count.agree, count.only_theory, count.only_rows);
   return out + (count.nothing > 0 ? fmt::format("; {} without a result for other reasons\n", count.nothing) : "\n");
 }
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "sigmasweep/base/errors.hpp"
 #include "base/spelling.hpp"
+#include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {
 namespace {

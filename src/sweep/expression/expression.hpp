@@ -8,9 +8,9 @@
 
 #include <muParser.h>
 
-#include "sweep/expression/types.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/row.hpp"
+#include "sweep/expression/types.hpp"
 
 namespace sigmasweep {
 

@@ -18,9 +18,7 @@ struct Type {
   bool operator==(const Type&) const = default;
 };
 
-Type type_of(FieldType field) {
-  return enumerators(field).empty() ? Type{} : Type{Kind::enumeration, field};
-}
+Type type_of(FieldType field) { return enumerators(field).empty() ? Type{} : Type{Kind::enumeration, field}; }
 
 class Checker {
  public:
@@ -30,11 +28,19 @@ class Checker {
     switch (token.Cmd) {
       case mu::cmVAL: return push({});
       case mu::cmVAR: return push(type_of(variable_(token.Val.ptr)));
-      case mu::cmLT: case mu::cmGT: case mu::cmLE: case mu::cmGE: return compare(false);
-      case mu::cmEQ: case mu::cmNEQ: return compare(true);
+      case mu::cmLT:
+      case mu::cmGT:
+      case mu::cmLE:
+      case mu::cmGE: return compare(false);
+      case mu::cmEQ:
+      case mu::cmNEQ: return compare(true);
       case mu::cmLAND: return combine("&&");
       case mu::cmLOR: return combine("||");
-      case mu::cmADD: case mu::cmSUB: case mu::cmMUL: case mu::cmDIV: case mu::cmPOW: return calculate(2);
+      case mu::cmADD:
+      case mu::cmSUB:
+      case mu::cmMUL:
+      case mu::cmDIV:
+      case mu::cmPOW: return calculate(2);
       case mu::cmFUNC: return call(token);
       case mu::cmIF: return require_truth("?");
       case mu::cmELSE: return;  // both values stay, for the end

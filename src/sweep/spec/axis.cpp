@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "sigmasweep/base/errors.hpp"
 #include "base/spelling.hpp"
+#include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::spec {
 namespace {
@@ -38,8 +38,10 @@ void require_allowed(const Entry& entry, const Field& field, double value) {
   others.periods = 10'000'000;
   others.transient = 0;
   set_number(field, row, value);
-  if (field.name == "N") others.geometry = Geometry::vibrated_column;
-  else give_beads(others);
+  if (field.name == "N")
+    others.geometry = Geometry::vibrated_column;
+  else
+    give_beads(others);
   const std::string why = why_invalid(row.parameters);
   if (!why.empty()) throw SpecError(fmt::format("{}sweep.{}", place(*entry.file, entry.line), why));
 }
@@ -77,7 +79,8 @@ const Entry* find(const std::vector<Entry>& keys, std::string_view name) {
 const Entry& need(const Entry& entry, const std::vector<Entry>& keys, std::string_view name) {
   if (const Entry* key = find(keys, name)) return *key;
   refuse(entry, fmt::format("'{}' is missing: a range is {{ from, to, count, scale }}, a sample "
-                            "{{ sample, from, to, count, seed }}", name));
+                            "{{ sample, from, to, count, seed }}",
+                            name));
 }
 
 Form read_form(const Entry& entry, const Field& field) {

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "sweep/axis.hpp"
 #include "sigmasweep/model/fields.hpp"
+#include "sweep/axis.hpp"
 #include "sweep/spec/entry.hpp"
 
 namespace sigmasweep::spec {
@@ -12,8 +12,8 @@ namespace sigmasweep::spec {
 struct Setting {
   Entry entry;
   const Field* field;
-  Axis axis;               ///< one value if it is no axis
-  bool is_axis = false;    ///< a list, a range or a sample, however short
+  Axis axis;             ///< one value if it is no axis
+  bool is_axis = false;  ///< a list, a range or a sample, however short
   bool is_sobol = false;
 };
 

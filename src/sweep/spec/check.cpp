@@ -25,8 +25,8 @@ const Setting* first_of(const Way& way, const std::vector<Setting>& settings) {
   const bool vibrated = std::ranges::all_of(kinds, is_vibrated), any_lattice = std::ranges::any_of(kinds, is_lattice);
   const std::string_view size = std::ranges::all_of(kinds, is_lattice) ? "rows" : any_lattice ? "N, rows" : "N";
   refuse(sweep, fmt::format("'{}' is missing: {}{}, one of {}, and tc and epsilon (or instead of these K_over_m and "
-                            "D_n, or a material) are needed", name, vibrated ? "" : "v0, ", size,
-                            vibrated ? "alpha and A0" : "s0 and sigma"));
+                            "D_n, or a material) are needed",
+                            name, vibrated ? "" : "v0, ", size, vibrated ? "alpha and A0" : "s0 and sigma"));
 }
 
 /// Hard spheres have no contact time: the default only gives sigma its unit.
@@ -99,9 +99,8 @@ void require_complete(const Entry& sweep, const std::vector<Setting>& settings, 
   require_one_of(sweep, settings, {"alpha", "A0"}, std::ranges::any_of(kinds, is_vibrated),
                  "alpha = A0 (2 pi frequency)^2/gravity");
   for (const std::string_view name : {"beta", "gamma"})
-    if (!find(settings, name) && std::ranges::any_of(kinds, [&](const Parameters& kind) {
-          return is_used(*find_field(name), kind);
-        }))
+    if (!find(settings, name) &&
+        std::ranges::any_of(kinds, [&](const Parameters& kind) { return is_used(*find_field(name), kind); }))
       refuse(find(settings, "law")->entry, fmt::format("'{}' is missing: law = 'power' needs beta and gamma", name));
 }
 
@@ -118,8 +117,9 @@ void require_used(const std::vector<Setting>& settings, const std::vector<Parame
     if (used(setting)) continue;
     const Setting* steps = find(settings, "steps_per_tc");
     if (setting.field->name == "tolerance" && steps && used(*steps))
-      refuse(setting.entry, "'steps_per_tc' and 'tolerance' conflict: give the time step, or the error for which it is "
-                            "to be chosen");
+      refuse(setting.entry,
+             "'steps_per_tc' and 'tolerance' conflict: give the time step, or the error for which it is "
+             "to be chosen");
     refuse(setting.entry, fmt::format("no tuple uses it: it needs {}", needed_for(*setting.field)));
   }
 }

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "sigmasweep/base/errors.hpp"
 #include "base/spelling.hpp"
+#include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::spec {
 namespace {
@@ -41,7 +41,8 @@ std::vector<Entry> entries(const toml::table& table, const std::string& file, co
   for (auto&& [key, node] : table) {
     const auto position = key.source().begin;
     placed.push_back({{&file, path.empty() ? std::string(key.str()) : fmt::format("{}.{}", path, key.str()), key.str(),
-                       &node, position.line}, position});
+                       &node, position.line},
+                      position});
   }
   std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) { return a.position < b.position; });
   std::vector<Entry> sorted;
@@ -66,8 +67,8 @@ std::string place(const std::string& file, toml::source_index line) {
 }
 
 void refuse_value(const Entry& entry, std::string_view why) {
-  throw SpecError(fmt::format("{}{} = {}: {}", place(*entry.file, entry.line), shown(entry.path),
-                              describe(*entry.node), why));
+  throw SpecError(
+      fmt::format("{}{} = {}: {}", place(*entry.file, entry.line), shown(entry.path), describe(*entry.node), why));
 }
 
 void refuse(const Entry& entry, std::string_view why) {
@@ -75,8 +76,8 @@ void refuse(const Entry& entry, std::string_view why) {
 }
 
 void refuse_unknown(const Entry& entry, std::span<const std::string_view> known) {
-  throw SpecError(fmt::format("{}unknown key {}{}", place(*entry.file, entry.line), shown(entry.path),
-                              hint(entry.name, known)));
+  throw SpecError(
+      fmt::format("{}unknown key {}{}", place(*entry.file, entry.line), shown(entry.path), hint(entry.name, known)));
 }
 
 const toml::table& as_table(const Entry& entry) {

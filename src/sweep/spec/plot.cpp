@@ -5,19 +5,19 @@
 
 #include <fmt/format.h>
 
+#include "base/spelling.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sweep/expression/formula.hpp"
-#include "base/spelling.hpp"
 #include "sweep/expression/where.hpp"
 #include "sweep/spec/tables.hpp"
 
 namespace sigmasweep::spec {
 namespace {
 
-constexpr auto plot_keys = std::to_array<std::string_view>(
-    {"name", "kind", "x", "y", "x_label", "y_label", "x_scale", "y_scale",
-     "series", "title", "where", "mean_over", "lines", "fit", "guides", "y_error"});
+constexpr auto plot_keys =
+    std::to_array<std::string_view>({"name", "kind", "x", "y", "x_label", "y_label", "x_scale", "y_scale", "series",
+                                     "title", "where", "mean_over", "lines", "fit", "guides", "y_error"});
 constexpr std::array<std::string_view, 3> fit_keys{"form", "from", "to"};
 constexpr std::array<std::string_view, 7> guide_keys{"slope", "y", "label", "through", "where", "from", "to"};
 constexpr std::array<std::string_view, 3> kinds{"points", "trajectories", "stability"};
@@ -78,10 +78,14 @@ std::string as_name(const Entry& entry) {
 FitSpec read_fit(const Entry& table) {
   FitSpec fit;
   for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
-    if (entry.name == "form") fit.form = static_cast<FitSpec::Form>(as_one_of(entry, forms));
-    else if (entry.name == "from") fit.from = as_finite(entry);
-    else if (entry.name == "to") fit.to = as_finite(entry);
-    else refuse_unknown(entry, fit_keys);
+    if (entry.name == "form")
+      fit.form = static_cast<FitSpec::Form>(as_one_of(entry, forms));
+    else if (entry.name == "from")
+      fit.from = as_finite(entry);
+    else if (entry.name == "to")
+      fit.to = as_finite(entry);
+    else
+      refuse_unknown(entry, fit_keys);
   }
   if (!(fit.from < fit.to)) refuse(table, "'from' must be less than 'to'");
   return fit;
@@ -107,15 +111,24 @@ GuideSpec read_guide(const Entry& table) {
   GuideSpec guide;
   bool sloped = false;
   for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
-    if (entry.name == "label") guide.label = as_string(entry);
-    else if (entry.name == "slope") guide.slope = as_finite(entry), sloped = true;
-    else if (entry.name == "y" && entry.node->is_string()) guide.curve = as_function(entry);
-    else if (entry.name == "y") guide.y = as_finite(entry);
-    else if (entry.name == "through") guide.through = as_point(entry);
-    else if (entry.name == "where") guide.where = as_expression<Where>(entry);
-    else if (entry.name == "from") guide.from = as_finite(entry);
-    else if (entry.name == "to") guide.to = as_finite(entry);
-    else refuse_unknown(entry, guide_keys);
+    if (entry.name == "label")
+      guide.label = as_string(entry);
+    else if (entry.name == "slope")
+      guide.slope = as_finite(entry), sloped = true;
+    else if (entry.name == "y" && entry.node->is_string())
+      guide.curve = as_function(entry);
+    else if (entry.name == "y")
+      guide.y = as_finite(entry);
+    else if (entry.name == "through")
+      guide.through = as_point(entry);
+    else if (entry.name == "where")
+      guide.where = as_expression<Where>(entry);
+    else if (entry.name == "from")
+      guide.from = as_finite(entry);
+    else if (entry.name == "to")
+      guide.to = as_finite(entry);
+    else
+      refuse_unknown(entry, guide_keys);
   }
   const bool has_y = guide.y || !guide.curve.empty();
   if (sloped == has_y) refuse(table, "a guide has either 'slope' or 'y'");
@@ -155,24 +168,40 @@ PlotSpec read_plot(const Entry& plot, PlotSpec spec) {
   spec.kind = kind_of(keys);
   for (const Entry& entry : keys) {
     if (entry.name == "kind") continue;
-    if (entry.name == "name") spec.name = as_name(entry);
-    else if (entry.name == "x" && spec.kind == PlotKind::trajectories) spec.by_phase = as_one_of(entry, film_axes) == 1;
-    else if (entry.name == "x") spec.x = as_expression<Formula>(entry);
-    else if (entry.name == "y") spec.y = as_expression<Formula>(entry);
-    else if (entry.name == "y_error") spec.y_error = as_expression<Formula>(entry);
-    else if (entry.name == "x_label") spec.x_label = as_string(entry);
-    else if (entry.name == "y_label") spec.y_label = as_string(entry);
-    else if (entry.name == "x_scale") spec.x_log = as_one_of(entry, scales) == 1;
-    else if (entry.name == "y_scale") spec.y_log = as_one_of(entry, scales) == 1;
-    else if (entry.name == "title") spec.title = as_string(entry);
-    else if (entry.name == "series") spec.series = as_fields(entry);
-    else if (entry.name == "where") spec.where = as_expression<Where>(entry);
-    else if (entry.name == "mean_over") spec.mean_over = as_fields(entry);
-    else if (entry.name == "lines") spec.lines = as_bool(entry);
-    else if (entry.name == "fit") spec.fit = read_fit(entry);
+    if (entry.name == "name")
+      spec.name = as_name(entry);
+    else if (entry.name == "x" && spec.kind == PlotKind::trajectories)
+      spec.by_phase = as_one_of(entry, film_axes) == 1;
+    else if (entry.name == "x")
+      spec.x = as_expression<Formula>(entry);
+    else if (entry.name == "y")
+      spec.y = as_expression<Formula>(entry);
+    else if (entry.name == "y_error")
+      spec.y_error = as_expression<Formula>(entry);
+    else if (entry.name == "x_label")
+      spec.x_label = as_string(entry);
+    else if (entry.name == "y_label")
+      spec.y_label = as_string(entry);
+    else if (entry.name == "x_scale")
+      spec.x_log = as_one_of(entry, scales) == 1;
+    else if (entry.name == "y_scale")
+      spec.y_log = as_one_of(entry, scales) == 1;
+    else if (entry.name == "title")
+      spec.title = as_string(entry);
+    else if (entry.name == "series")
+      spec.series = as_fields(entry);
+    else if (entry.name == "where")
+      spec.where = as_expression<Where>(entry);
+    else if (entry.name == "mean_over")
+      spec.mean_over = as_fields(entry);
+    else if (entry.name == "lines")
+      spec.lines = as_bool(entry);
+    else if (entry.name == "fit")
+      spec.fit = read_fit(entry);
     else if (entry.name == "guides")
       for (const Entry& guide : elements(entry)) spec.guides.push_back(read_guide(guide));
-    else refuse_unknown(entry, plot_keys);
+    else
+      refuse_unknown(entry, plot_keys);
   }
   require_drawable(spec, plot);
   if (!spec.y_error.empty() && !spec.mean_over.empty())

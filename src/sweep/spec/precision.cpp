@@ -9,8 +9,8 @@
 namespace sigmasweep::spec {
 namespace {
 
-constexpr std::array<std::string_view, 10> keys{"integrators", "steps_per_tc", "tolerances", "tuples", "checks",
-                                               "repeats", "seconds", "repeat_seconds", "longest", "seed"};
+constexpr std::array<std::string_view, 10> keys{"integrators", "steps_per_tc", "tolerances",     "tuples",  "checks",
+                                                "repeats",     "seconds",      "repeat_seconds", "longest", "seed"};
 constexpr std::uint64_t most_scenes = 10'000, most_tuples = 1'000'000, most_repeats = 1000;
 
 double as_positive(const Entry& entry, double most) {
@@ -53,17 +53,28 @@ void require_scenes(const Entry& table, const Sweep& sweep) {
 PrecisionSpec read_precision(const Entry& table, const Sweep& sweep) {
   PrecisionSpec spec;
   for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
-    if (entry.name == "integrators") spec.integrators = as_integrators(entry);
-    else if (entry.name == "steps_per_tc") spec.steps_per_tc = as_ladder(entry, 1e9);
-    else if (entry.name == "tolerances") spec.tolerances = as_ladder(entry, 1.0);
-    else if (entry.name == "tuples") spec.tuples = as_count(entry, 1, most_tuples);
-    else if (entry.name == "checks") spec.checks = as_count(entry, 1, most_tuples);
-    else if (entry.name == "repeats") spec.repeats = as_count(entry, 1, most_repeats);
-    else if (entry.name == "seconds") spec.seconds = as_positive(entry, 1e6);
-    else if (entry.name == "repeat_seconds") spec.repeat_seconds = as_positive(entry, 1e6);
-    else if (entry.name == "longest") spec.longest = as_positive(entry, 1e6);
-    else if (entry.name == "seed") spec.seed = as_count(entry, 0, INT64_MAX);
-    else refuse_unknown(entry, keys);
+    if (entry.name == "integrators")
+      spec.integrators = as_integrators(entry);
+    else if (entry.name == "steps_per_tc")
+      spec.steps_per_tc = as_ladder(entry, 1e9);
+    else if (entry.name == "tolerances")
+      spec.tolerances = as_ladder(entry, 1.0);
+    else if (entry.name == "tuples")
+      spec.tuples = as_count(entry, 1, most_tuples);
+    else if (entry.name == "checks")
+      spec.checks = as_count(entry, 1, most_tuples);
+    else if (entry.name == "repeats")
+      spec.repeats = as_count(entry, 1, most_repeats);
+    else if (entry.name == "seconds")
+      spec.seconds = as_positive(entry, 1e6);
+    else if (entry.name == "repeat_seconds")
+      spec.repeat_seconds = as_positive(entry, 1e6);
+    else if (entry.name == "longest")
+      spec.longest = as_positive(entry, 1e6);
+    else if (entry.name == "seed")
+      spec.seed = as_count(entry, 0, INT64_MAX);
+    else
+      refuse_unknown(entry, keys);
   }
   require_scenes(table, sweep);
   return spec;

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "sigmasweep/base/errors.hpp"
-#include "sweep/expression/where.hpp"
 #include "sweep/calibration_cache.hpp"
+#include "sweep/expression/where.hpp"
 #include "sweep/spec/check.hpp"
 #include "sweep/spec/representatives.hpp"
 #include "sweep/spec/tables.hpp"
@@ -123,8 +123,8 @@ Selection select(const Entry& entry, const std::vector<Setting>& settings, const
   try {
     Where where(expression, parameter_fields());
     const std::uint64_t most = product.contacts().is_slow()
-        ? most_filtered_slowly
-        : most_filtered * short_expression / std::max(short_expression, expression.size());
+                                   ? most_filtered_slowly
+                                   : most_filtered * short_expression / std::max(short_expression, expression.size());
     if (product.size() > most)
       refuse(entry, fmt::format("the axes multiply to {} tuples, with a 'where' of this length at most {} are allowed",
                                 product.size(), most));

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "sigmasweep/sweep/sweep.hpp"
 #include "sweep/grid.hpp"
 #include "sweep/selection.hpp"
-#include "sigmasweep/sweep/sweep.hpp"
 #include "sweep/spec/entry.hpp"
 
 /// The tables of a spec. All throw SpecError.
@@ -14,7 +14,7 @@ namespace sigmasweep::spec {
 
 struct Grid {
   Product product;
-  std::vector<const Field*> axes;      ///< parameters that are axes, in spec order
+  std::vector<const Field*> axes;  ///< parameters that are axes, in spec order
   std::vector<std::uint64_t> axis_sizes;
   std::vector<Parameters> kinds;       ///< of tuples that there are (spec_kinds.hpp)
   std::optional<Selection> selection;  ///< of the product's indices, if there is a `where`

@@ -16,9 +16,12 @@ std::size_t skip_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const bool multi_line = text.substr(begin, 3) == std::string(3, quote);
   for (std::size_t i = begin + (multi_line ? 3 : 1); i < text.size(); ++i) {
-    if (text[i] == '\\' && quote == '"') ++i;
-    else if (!multi_line && (text[i] == quote || text[i] == '\n')) return i + 1;
-    else if (multi_line && text.substr(i, 3) == std::string(3, quote)) return i + 3;
+    if (text[i] == '\\' && quote == '"')
+      ++i;
+    else if (!multi_line && (text[i] == quote || text[i] == '\n'))
+      return i + 1;
+    else if (multi_line && text.substr(i, 3) == std::string(3, quote))
+      return i + 3;
   }
   return text.size();
 }

@@ -57,7 +57,8 @@ void require_room(const Entry& table, const TrajectorySpec& spec, const Sweep& s
     if (const Parameters p = sweep.at(row);
         static_cast<std::uint64_t>(p.N) * (is_lattice(p) ? 2 : 1) > most_values / spec.samples)
       refuse(table, fmt::format("{} samples of the {} beads of row {} are too much for a file: at most {} coordinates "
-                                "are allowed", spec.samples, p.N, row, most_values));
+                                "are allowed",
+                                spec.samples, p.N, row, most_values));
 }
 
 }  // namespace
@@ -67,10 +68,14 @@ TrajectorySpec read_trajectory(const Entry& table, const Sweep& sweep) {
   const std::vector<Entry> all = entries(as_table(table), *table.file, table.path);
   const Entry* where = nullptr;
   for (const Entry& entry : all) {
-    if (entry.name == "samples") spec.samples = as_count(entry, 2, most_samples);
-    else if (entry.name == "duration") spec.duration = as_duration(entry);
-    else if (entry.name == "where") where = &entry;
-    else refuse_unknown(entry, keys);
+    if (entry.name == "samples")
+      spec.samples = as_count(entry, 2, most_samples);
+    else if (entry.name == "duration")
+      spec.duration = as_duration(entry);
+    else if (entry.name == "where")
+      where = &entry;
+    else
+      refuse_unknown(entry, keys);
   }
   spec.rows = chosen_rows(table, where, sweep);
   require_room(table, spec, sweep);

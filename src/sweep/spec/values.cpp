@@ -185,8 +185,8 @@ void require_pairs(const std::vector<Setting>& settings, const Product& product)
   const bool linear = !find(settings, "law") || find(settings, "law")->axis.bounds().second == 0.0;
   static_assert(static_cast<int>(Law::hooke) == 0);
   const Parameters& base = product.base();
-  const auto few = few_contacts(deciding_contacts(base, product.groups()),
-                                linear ? most_linear_pairs : Contacts::most_remembered);
+  const auto few =
+      few_contacts(deciding_contacts(base, product.groups()), linear ? most_linear_pairs : Contacts::most_remembered);
   for (std::uint64_t i = 0; i < size_of(few); ++i) {
     Parameters pair = values_at(base, few, i);
     product.contacts().give(pair);

@@ -4,8 +4,8 @@
 #include <sigmasweep/sweep/sweep.hpp>
 
 int main() {
-  const auto sweep = sigmasweep::Sweep::parse(
-      "[sweep]\nv0 = 1\ntc = 2e-5\nsigma = [0, 10]\nN = 10\nepsilon = 0.9\n", "a string");
+  const auto sweep =
+      sigmasweep::Sweep::parse("[sweep]\nv0 = 1\ntc = 2e-5\nsigma = [0, 10]\nN = 10\nepsilon = 0.9\n", "a string");
   const double touching = sigmasweep::simulate(sweep.at(0)).eps_eff;
   const double apart = sigmasweep::simulate(sweep.at(1)).eps_eff;
   std::printf("%.12f %.12f\n", touching, apart);

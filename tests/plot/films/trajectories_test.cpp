@@ -65,8 +65,11 @@ TEST(PlotTrajectories, DrawsEveryForm) {
   const samples::Directory directory;
   Panel panel;
   panel.row.parameters.N = 2;
-  panel.trajectory = {.time = {0.0, 1e-3, 2e-3}, .z = {0.0, 1e-9, -1e-9, 0.0, 1e-9, 2e-9},
-                      .velocity = std::vector<double>(6), .mass = {1.0, 1.0}, .diameter = {1e-3, 1e-3}};
+  panel.trajectory = {.time = {0.0, 1e-3, 2e-3},
+                      .z = {0.0, 1e-9, -1e-9, 0.0, 1e-9, 2e-9},
+                      .velocity = std::vector<double>(6),
+                      .mass = {1.0, 1.0},
+                      .diameter = {1e-3, 1e-3}};
   Panel nothing = panel;
   nothing.trajectory.z.assign(6, std::numeric_limits<double>::quiet_NaN());
   const std::vector<Panel> panels{panel, nothing, panel};

@@ -7,8 +7,8 @@
 #include <functional>
 #include <numbers>
 
-#include "sigmasweep/base/errors.hpp"
 #include "plot/films/plot_velocity_field.hpp"
+#include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "support/store_samples.hpp"
 
@@ -17,8 +17,8 @@ namespace {
 
 using Velocity = std::function<Vec2<double>(double x, double z, double phase)>;
 
-/// 8 x 6 beads of 1 mm, one in each cell, at rest relative to a plate of 2 mm and 10 Hz, for nine periods of 40 samples.
-/// Their velocities are given, x and z from the middle of the beads, beside a common one.
+/// 8 x 6 beads of 1 mm, one in each cell, at rest relative to a plate of 2 mm and 10 Hz, for nine periods of 40
+/// samples. Their velocities are given, x and z from the middle of the beads, beside a common one.
 Panel stirred(const Velocity& velocity, bool periodic = false) {
   Panel panel;
   Parameters& p = panel.row.parameters;
@@ -94,7 +94,7 @@ TEST(VelocityField, TransientAndRareGuestsAreLeftOut) {
   Panel panel = stirred([](double x, double z, double) { return Vec2<double>{-z, x}; });
   Trajectory& t = panel.trajectory;
   for (std::size_t k = 0; k < 120 * 48; ++k) t.x_velocity[k] = 1e6;  // three of nine periods
-  t.z[200 * 48] += 9e-3;  // sample 200 is the first of a period
+  t.z[200 * 48] += 9e-3;                                             // sample 200 is the first of a period
   const VelocityField field = field_of(panel, 0);
   EXPECT_EQ(field.rows, 10u);
   EXPECT_FALSE(field.has(0, 9));

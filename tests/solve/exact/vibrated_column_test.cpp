@@ -124,10 +124,10 @@ TEST(VibratedSoftSpheres, MovesAsAPlainProgramSays) {
     std::int64_t N;
     double epsilon, tc, alpha, s0, periods;
   };
-  for (const Case& c : {Case{1, 0.9, 1e-3, 3.0, 0.0, 2.0}, Case{1, 0.6, 2e-3, 5.0, 1e-3, 2.0},
-                        Case{2, 0.8, 2e-3, 2.0, 0.0, 1.5}, Case{5, 0.6, 2e-3, 4.0, 1e-4, 1.0},
-                        Case{10, 0.6, 0.7e-3, 2.0, 0.0, 0.75}, Case{3, 1.0, 5e-3, 1.5, 0.0, 1.0},
-                        Case{9, 0.3, 2e-3, 2.0, 0.0, 1.0}}) {
+  for (const Case& c :
+       {Case{1, 0.9, 1e-3, 3.0, 0.0, 2.0}, Case{1, 0.6, 2e-3, 5.0, 1e-3, 2.0}, Case{2, 0.8, 2e-3, 2.0, 0.0, 1.5},
+        Case{5, 0.6, 2e-3, 4.0, 1e-4, 1.0}, Case{10, 0.6, 0.7e-3, 2.0, 0.0, 0.75}, Case{3, 1.0, 5e-3, 1.5, 0.0, 1.0},
+        Case{9, 0.3, 2e-3, 2.0, 0.0, 1.0}}) {
     SCOPED_TRACE(testing::Message() << "N = " << c.N << ", epsilon = " << c.epsilon << ", tc = " << c.tc);
     Parameters p = vibrated(c.N, c.epsilon, c.tc, c.alpha);
     p.s0 = c.s0;
@@ -140,7 +140,8 @@ TEST(VibratedSoftSpheres, MovesAsAPlainProgramSays) {
       for (std::size_t i = 0; i < std::size_t(c.N); ++i) {
         EXPECT_NEAR(ours.z[s * std::size_t(c.N) + i], double(plain.height(i)), 1e-8 * p.A0) << s << ' ' << i;
         EXPECT_NEAR(ours.velocity[s * std::size_t(c.N) + i], double(plain.speed(i)),
-                    1e-7 * p.A0 * 2.0 * pi * p.frequency) << s << ' ' << i;
+                    1e-7 * p.A0 * 2.0 * pi * p.frequency)
+            << s << ' ' << i;
       }
     }
   }
@@ -234,7 +235,8 @@ TEST(VibratedSoftSpheres, ExtremeCases) {
        {Case{10, 0.9, 1e-5, 1.001, 20, 30}, Case{10, 0.9, 1e-5, 100, 20, 200}, Case{10, 0.9, 1e-5, 100, 0.1, 100},
         Case{10, 0.6, 1e-5, 2, 0.1, 12}, Case{10, 0.6, 1e-5, 2, 1e4, 100}, Case{10, 0.6, 1e-9, 2, 20, 6},
         Case{10, 0.92, 1e-9, 4, 20, 40}, Case{100, 0.92, 1e-5, 4, 20, 6}, Case{2, 0.92, 1e-5, 4, 20, 10'000},
-        Case{1, 0.9, 1e-3, 3, 1000, 200}, Case{5, 0.9, 1e-3, 3, 2000, 200}, Case{1, 0.2, 1e-6, 3, 20, 10'000}, Case{10, 1.0, 1e-5, 2, 20, 50}, Case{10, 1e-3, 1e-4, 5, 20, 30}}) {
+        Case{1, 0.9, 1e-3, 3, 1000, 200}, Case{5, 0.9, 1e-3, 3, 2000, 200}, Case{1, 0.2, 1e-6, 3, 20, 10'000},
+        Case{10, 1.0, 1e-5, 2, 20, 50}, Case{10, 1e-3, 1e-4, 5, 20, 30}}) {
     SCOPED_TRACE(testing::Message() << "N = " << c.N << ", epsilon = " << c.epsilon << ", tc = " << c.tc
                                     << ", alpha = " << c.alpha << ", f = " << c.frequency);
     Parameters p = vibrated(c.N, c.epsilon, c.tc, c.alpha, c.frequency);

@@ -5,13 +5,14 @@
 #include <numbers>
 #include <vector>
 
+#include "sigmasweep/model/names.hpp"
+#include "solve/hard_spheres/vibrated.hpp"
 #include "solve/hard_spheres/vibrated_column.hpp"
 #include "solve/plain_vibrated.hpp"
-#include "sigmasweep/model/names.hpp"
 #include "solve/vibrated.hpp"
-#include "solve/hard_spheres/vibrated.hpp"
 
-/// Hard spheres that rest on the vibrating plate once in a while: a ball that loses all, and columns that do as it does.
+/// Hard spheres that rest on the vibrating plate once in a while: a ball that loses all, and columns that do as it
+/// does.
 namespace sigmasweep {
 namespace {
 
@@ -22,9 +23,11 @@ struct InelasticBall {
 
   explicit InelasticBall(double a) : alpha(a), start(std::asin(1.0 / a)), flight(0.0), impact(0.0) {
     double low = 0.0, high = turn;  // just above the plate, and within it
-    while (above(low += 1e-2) <= 0.0) {}
+    while (above(low += 1e-2) <= 0.0) {
+    }
     high = low;
-    while (above(high += 1e-3) > 0.0) {}
+    while (above(high += 1e-3) > 0.0) {
+    }
     for (int i = 0; i < 100; ++i) (above(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
     flight = low;
     impact = alpha * std::cos(start + flight) - (alpha * std::cos(start) - flight);

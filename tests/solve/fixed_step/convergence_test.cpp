@@ -5,8 +5,8 @@
 #include <random>
 
 #include "sigmasweep/model/names.hpp"
-#include "solve/fixed_step/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/fixed_step/collision.hpp"
 #include "support/reference_values.hpp"
 
 /// The schemes of fixed step against the reference values.
@@ -108,7 +108,7 @@ TEST_P(FixedStepConvergence, TheMatchedWallHasTheRestitutionOfAPair) {
   p.integrator = GetParam();
   p.steps_per_tc = 2000.0;
   const Collision c = simulate(p);
-  EXPECT_NEAR(c.eps_eff, 0.7, 5e-4);       // first order
+  EXPECT_NEAR(c.eps_eff, 0.7, 5e-4);      // first order
   EXPECT_NEAR(c.t_k, p.tc, 1e-3 * p.tc);  // and the contact time of one
 }
 

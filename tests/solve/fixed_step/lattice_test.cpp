@@ -6,12 +6,12 @@
 #include <random>
 #include <vector>
 
-#include "solve/fixed_step/lattice.hpp"
+#include "assembly/lattice.hpp"
 #include "assembly/lattice_neighbours.hpp"
-#include "solve/observer/lattice_samples.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/fixed_step/collision.hpp"
-#include "assembly/lattice.hpp"
+#include "solve/fixed_step/lattice.hpp"
+#include "solve/observer/lattice_samples.hpp"
 
 /// Lattices of discs by the methods of fixed step, against an independent program (classical Runge-Kutta in the room's
 /// coordinates, DOP853, and an exact reduction to a chain of rows).
@@ -72,8 +72,8 @@ TEST(LatticeFixedStep, RungeKuttaTakesTheStepsOfAnIndependentProgram) {
     for (std::size_t i = 0; i < lattice.count(); ++i) lattice.shift.push_back({0.0, -1e-12 * double(i / 13)});
     for (std::size_t k = 0; k < t.rk4.size(); ++k) {
       if (t.rk4[k] == 0.0) continue;
-      // Seven digits are known. Three rows at 0.9 fly free before their last contact, which that program jumps to: where
-      // in a step it closes makes 1.5e-7.
+      // Seven digits are known. Three rows at 0.9 fly free before their last contact, which that program jumps to:
+      // where in a step it closes makes 1.5e-7.
       const double tolerance = t.rows == 3 && t.epsilon == 0.9 ? 2e-7 : 0.52e-7;
       EXPECT_NEAR(eps_eff(lattice, Integrator::rk4, 0.01 / (1 << k)), t.rk4[k], tolerance) << t.rows << " " << k;
     }
@@ -279,8 +279,8 @@ struct Damped {
 };
 /// Pairs too damped to come apart fly off, or stay at the bottom, as one; with a gap as well as without.
 TEST(LatticeFixedStep, OverdampedBeadsThatStickEnd) {
-  for (const Damped& c : {Damped{3, 4, 0.0, 1.1}, Damped{3, 4, 0.0, 3.0}, Damped{3, 4, 0.2, 1.1},
-                          Damped{1, 1, 0.5, 3.0}}) {
+  for (const Damped& c :
+       {Damped{3, 4, 0.0, 1.1}, Damped{3, 4, 0.0, 3.0}, Damped{3, 4, 0.2, 1.1}, Damped{1, 1, 0.5, 3.0}}) {
     SCOPED_TRACE(testing::Message() << c.rows << " x " << c.columns << " sigma " << c.sigma << " " << c.damping);
     Parameters p = parameters(c.rows, c.columns, 0.9, c.sigma);
     p.K_over_m = std::pow(std::acos(-1.0) / p.tc, 2);
@@ -290,7 +290,7 @@ TEST(LatticeFixedStep, OverdampedBeadsThatStickEnd) {
     const auto outcome = fixed_step_lattice_collision(lattice, Integrator::rk4, 1.0 / 200.0);
     EXPECT_EQ(outcome.status, Status::ok);
     EXPECT_NE(outcome.end, End::none);
-    EXPECT_LT(outcome.remainder, 1e-13);  // LatticeOptions::settle
+    EXPECT_LT(outcome.remainder, 1e-13);                             // LatticeOptions::settle
     EXPECT_LT(outcome.velocity[0].z, c.damping > 2.0 ? 1e-6 : 0.5);  // creeps at the bottom, or comes off slowly
   }
 }

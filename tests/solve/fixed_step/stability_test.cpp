@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "solve/fixed_step/chain.hpp"
+#include "assembly/lattice.hpp"
 #include "contact/kernels.hpp"
+#include "sigmasweep/model/names.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+#include "solve/fixed_step/chain.hpp"
+#include "solve/fixed_step/collision.hpp"
 #include "solve/fixed_step/schemes/gear5.hpp"
 #include "solve/fixed_step/schemes/rk4.hpp"
 #include "solve/fixed_step/schemes/verlet.hpp"
-#include "sigmasweep/model/names.hpp"
-#include "solve/fixed_step/collision.hpp"
-#include "assembly/lattice.hpp"
-#include "sigmasweep/solve/simulate.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -120,8 +120,8 @@ Lattice<double> lattice_of(std::int64_t rows, std::int64_t columns, SideWalls wa
   return lattice;
 }
 
-// Waves of the infinite triangular lattice: 2 sum (1 - cos) over its bonds is 8 at the edge of the zone's middle and 9 at
-// its corner. Spring and dashpot have 6 of the 8; with D_t = D_n both count and the corner's 9 is more.
+// Waves of the infinite triangular lattice: 2 sum (1 - cos) over its bonds is 8 at the edge of the zone's middle and 9
+// at its corner. Spring and dashpot have 6 of the 8; with D_t = D_n both count and the corner's 9 is more.
 TEST(Stability, TheStiffestModesOfLattices) {
   for (const SideWalls walls : {SideWalls::periodic, SideWalls::fixed}) {
     const Lattice<double> lattice = lattice_of(30, 30, walls, 1.0);
@@ -229,7 +229,8 @@ TEST(Stability, NothingIsRefusedThatHasAResult) {
   const auto check = [&](Integrator integrator, double steps) {
     p.integrator = integrator;
     p.steps_per_tc = steps;
-    if (!(growth_in_a_contact(closed_contacts(column), integrator, 1.0 / steps) > 1e5)) return;  // computed, whatever sigma is
+    if (!(growth_in_a_contact(closed_contacts(column), integrator, 1.0 / steps) > 1e5))
+      return;  // computed, whatever sigma is
     const auto o = fixed_step_collision(column, integrator, 1.0 / steps, {.settle = 1e-9, .step_limit = 3e4});
     double energy = 0.0;
     for (const double v : o.velocity) energy += v * v / static_cast<double>(p.N);

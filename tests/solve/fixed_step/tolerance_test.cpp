@@ -3,11 +3,11 @@
 #include <cmath>
 #include <span>
 
-#include "sigmasweep/model/names.hpp"
 #include "base/quad.hpp"
+#include "sigmasweep/model/names.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/fixed_step/collision.hpp"
-#include "sigmasweep/solve/simulate.hpp"
 
 /// Schemes of fixed step that choose the step by a tolerance.
 namespace sigmasweep {

@@ -5,13 +5,13 @@
 #include <numbers>
 #include <vector>
 
+#include "assembly/lattice.hpp"
+#include "sigmasweep/model/names.hpp"
+#include "solve/fixed_step/vibrated_column.hpp"
 #include "solve/fixed_step/vibrated_lattice.hpp"
 #include "solve/observer/lattice_statistics.hpp"
 #include "solve/observer/samples.hpp"
-#include "solve/fixed_step/vibrated_column.hpp"
 #include "solve/observer/vibration_statistics.hpp"
-#include "sigmasweep/model/names.hpp"
-#include "assembly/lattice.hpp"
 
 /// Lattices in a container that vibrates, by the methods of fixed step.
 namespace sigmasweep {

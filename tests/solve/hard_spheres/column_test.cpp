@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "sigmasweep/model/names.hpp"
-#include "solve/hard_spheres/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/hard_spheres/collision.hpp"
 #include "support/reference_values.hpp"
 
 /// Columns of hard spheres: the reference values, and what must hold whatever the numbers.

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <string>
 
-#include "solve/hard_spheres/plain_hard_spheres.hpp"
-#include "sigmasweep/model/names.hpp"
-#include "base/quad.hpp"
 #include "assembly/column.hpp"
+#include "base/quad.hpp"
+#include "sigmasweep/model/names.hpp"
 #include "solve/hard_spheres/collision.hpp"
+#include "solve/hard_spheres/plain_hard_spheres.hpp"
 #include "support/error_bars.hpp"
 #include "support/random.hpp"
 
@@ -39,7 +39,9 @@ TEST(HardSpheresErrorBar, HoldsForRandomColumns) {
     const Collision c = simulate_hard_spheres(p);
     ASSERT_TRUE(is_success(c.status) || c.status == Status::tolerance_missed) << name_of(c.status);
     ASSERT_EQ(is_success(c.status), c.eps_eff_error <= p.tolerance);
-    if (p.ed_rule == EdRule::tc) { EXPECT_NE(c.status, Status::collapsed); }
+    if (p.ed_rule == EdRule::tc) {
+      EXPECT_NE(c.status, Status::collapsed);
+    }
     const auto column = reduced_column<Quad>(p);
     Plain plain(column, p.ed_rule);
     if (!is_success(c.status) || !plain.run(20'000)) continue;  // long collapses take the plain program minutes

@@ -5,9 +5,9 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "sigmasweep/model/parameters.hpp"
-#include "base/quad.hpp"
 #include "assembly/column.hpp"
+#include "base/quad.hpp"
+#include "sigmasweep/model/parameters.hpp"
 
 /// Hard spheres by a plain program of fifty digits that knows nothing of queues, clusters or settling.
 namespace sigmasweep::plain_hard_spheres {
@@ -24,7 +24,13 @@ struct Plain {
   std::uint64_t collisions = 0;
 
   Plain(const Column<Quad>& c, EdRule rule)
-      : x(1, 0), v(1, 0), m(1, 0), last(1, -1), eps(c.eps), eps_wall(c.eps_wall), tc(c.tc),
+      : x(1, 0),
+        v(1, 0),
+        m(1, 0),
+        last(1, -1),
+        eps(c.eps),
+        eps_wall(c.eps_wall),
+        tc(c.tc),
         tc_model(rule == EdRule::tc) {
     for (std::size_t k = 0; k < c.contacts(); ++k) {
       x.push_back(x.back() + Wide(c.initial_gap(k)));

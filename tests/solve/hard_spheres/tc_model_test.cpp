@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "sigmasweep/model/names.hpp"
-#include "solve/hard_spheres/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/hard_spheres/collision.hpp"
 #include "support/reference_values.hpp"
 
 /// Hard spheres whose collisions are elastic where they follow on each other within tc (the TC model).

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "sigmasweep/model/names.hpp"
+#include "solve/hard_spheres/vibrated.hpp"
 #include "solve/hard_spheres/vibrated_column.hpp"
 #include "solve/plain_vibrated.hpp"
-#include "sigmasweep/model/names.hpp"
 #include "solve/vibrated.hpp"
-#include "solve/hard_spheres/vibrated.hpp"
 
 /// Hard spheres on a vibrating plate.
 namespace sigmasweep {
@@ -124,23 +124,18 @@ TEST_P(References, AreReproduced) {
   EXPECT_LT(c.vibration.h_cm_error, 0.02 * r.h_cm_excess);
 }
 
-INSTANTIATE_TEST_SUITE_P(Figure7, References,
-                         testing::Values(Reference{3, Wall::matched, 7.224849e-03, 1.2e-05},
-                                         Reference{3, Wall::paper, 7.358990e-03, 1.0e-05},
-                                         Reference{5, Wall::matched, 2.006607e-02, 8.0e-05},
-                                         Reference{5, Wall::paper, 2.102713e-02, 6.4e-05},
-                                         Reference{6, Wall::matched, 2.853826e-02, 1.5e-04},
-                                         Reference{6, Wall::paper, 3.076509e-02, 1.3e-04},
-                                         Reference{10, Wall::matched, 8.134280e-02, 3.6e-04},
-                                         Reference{10, Wall::paper, 8.540359e-02, 3.9e-04},
-                                         Reference{12, Wall::matched, 1.182436e-01, 6.5e-04},
-                                         Reference{12, Wall::paper, 1.221946e-01, 6.3e-04},
-                                         Reference{18, Wall::matched, 2.646667e-01, 1.9e-03},
-                                         Reference{18, Wall::paper, 2.806245e-01, 1.8e-03}),
-                         [](const auto& run) {
-                           return "alpha" + std::to_string(std::lround(run.param.alpha)) + "_" +
-                                  std::string(name_of(run.param.wall));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Figure7, References,
+    testing::Values(
+        Reference{3, Wall::matched, 7.224849e-03, 1.2e-05}, Reference{3, Wall::paper, 7.358990e-03, 1.0e-05},
+        Reference{5, Wall::matched, 2.006607e-02, 8.0e-05}, Reference{5, Wall::paper, 2.102713e-02, 6.4e-05},
+        Reference{6, Wall::matched, 2.853826e-02, 1.5e-04}, Reference{6, Wall::paper, 3.076509e-02, 1.3e-04},
+        Reference{10, Wall::matched, 8.134280e-02, 3.6e-04}, Reference{10, Wall::paper, 8.540359e-02, 3.9e-04},
+        Reference{12, Wall::matched, 1.182436e-01, 6.5e-04}, Reference{12, Wall::paper, 1.221946e-01, 6.3e-04},
+        Reference{18, Wall::matched, 2.646667e-01, 1.9e-03}, Reference{18, Wall::paper, 2.806245e-01, 1.8e-03}),
+    [](const auto& run) {
+      return "alpha" + std::to_string(std::lround(run.param.alpha)) + "_" + std::string(name_of(run.param.wall));
+    });
 
 // The plate's work and the losses are summed collision by collision; the energy at a period's end comes from the state.
 // Each collision rounds the momentum of all beads above it.

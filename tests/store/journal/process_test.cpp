@@ -94,7 +94,7 @@ TEST_F(JournalProcessTest, EveryAppendedRowSurvivesSigkill) {
     const Journal journal(table, identity, false);
     ASSERT_GE(journal.recovered().size(), last + 1);
     ASSERT_LE(journal.recovered().size(), last + 2);  // one may have been written and not yet told
-    EXPECT_LE(journal.dropped(), 1u);  // that one, torn where the write crossed a page
+    EXPECT_LE(journal.dropped(), 1u);                 // that one, torn where the write crossed a page
     for (std::uint64_t i = 0; i < journal.recovered().size(); ++i)
       ASSERT_EQ(bits(journal.recovered()[i]), bits(row(i)));
     begun = journal.recovered().size();

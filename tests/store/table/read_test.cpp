@@ -7,8 +7,8 @@
 
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/names.hpp"
-#include "store/table/table.hpp"
 #include "store/table/checksum.hpp"
+#include "store/table/table.hpp"
 #include "support/store_samples.hpp"
 
 namespace sigmasweep {
@@ -45,9 +45,10 @@ hid_t enumeration(const std::vector<std::string>& names, int first = 0) {
 struct Maker {
   int rows = 3;
   std::uint64_t checksum_error = 0;
-  std::map<std::string, std::string> texts{{"format", "sigmasweep-table"}, {"title", "t"},  {"spec", "s"},
-                                           {"spec_hash", "00000000000000ff"}, {"host", "h"}, {"start", "now"},
-                                           {"program_version", "0"}, {"compiler", "c"}, {"compiler_flags", "-O"}};
+  std::map<std::string, std::string> texts{
+      {"format", "sigmasweep-table"},    {"title", "t"},    {"spec", "s"},
+      {"spec_hash", "00000000000000ff"}, {"host", "h"},     {"start", "now"},
+      {"program_version", "0"},          {"compiler", "c"}, {"compiler_flags", "-O"}};
   std::map<std::string, std::uint64_t> numbers{
       {"format_version", 2}, {"physics_version", 5}, {"rows", 3}, {"ranks", 2}};
   std::map<std::string, std::vector<Member>> datasets{

@@ -1,6 +1,6 @@
 // The collective table, at every number of ranks that CTest starts this with.
-#include <gtest/gtest.h>
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <mpi.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -12,9 +12,9 @@
 #include <random>
 
 #include "sigmasweep/base/errors.hpp"
-#include "store/table/table.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/table/part.hpp"
+#include "store/table/table.hpp"
 #include "support/store_samples.hpp"
 
 /// Stands in for the C library's while the tests run: a file system that can set no space aside.
@@ -134,8 +134,7 @@ TEST_F(TableTest, ReadsBackWhatWasWritten) {
       ASSERT_EQ(table.rows.size(), rows);
       for (std::uint64_t k = 0; k < rows; ++k) ASSERT_EQ(bits(table.rows[k]), bits(samples::row(k))) << k;
       ASSERT_EQ(table.columns.size(), all_columns().size());
-      for (std::size_t i = 0; i < table.columns.size(); ++i)
-        EXPECT_EQ(table.columns[i].name, all_columns()[i].name);
+      for (std::size_t i = 0; i < table.columns.size(); ++i) EXPECT_EQ(table.columns[i].name, all_columns()[i].name);
       EXPECT_EQ(table.info.title, "σ-curve, Fig. 2(a)");
       EXPECT_EQ(table.info.spec_text, info().spec_text);
       EXPECT_EQ(table.info.spec_hash, 0x00c0ffee00c0ffeeu);
@@ -260,8 +259,8 @@ TEST_F(TableTest, WithoutRoomTheOldTableStaysAndNothingElse) {
     can_reserve_space = can_reserve;
     {
       const FileSizeLimit limit(100'000);
-      const auto message = message_on_all<IoError>(
-          [&] { write(MPI_COMM_WORLD, path, all_columns(), 10'000, Deal::even, info()); });
+      const auto message =
+          message_on_all<IoError>([&] { write(MPI_COMM_WORLD, path, all_columns(), 10'000, Deal::even, info()); });
       EXPECT_NE(message.find(can_reserve ? "no room" : "cannot write dataset results"), std::string::npos) << message;
     }
     can_reserve_space = true;

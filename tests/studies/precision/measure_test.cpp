@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include "assembly/column.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/contact/calibration.hpp"
-#include "assembly/column.hpp"
-#include "solve/fixed_step/collision.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "solve/fixed_step/collision.hpp"
 #include "support/soft_column.hpp"
 
 namespace sigmasweep {

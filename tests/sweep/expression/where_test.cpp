@@ -67,7 +67,7 @@ TEST(Where, NamesThatMeanSeveralThings) {
   std::vector<Field> all(parameter_fields().begin(), parameter_fields().end());
   all.insert(all.end(), result_fields().begin(), result_fields().end());
   const auto is = [&](const std::string& expression) { return Where(expression, all)(row); };
-  EXPECT_TRUE(is("ed_rule == tc && tc > 1e-5"));   // a value of ed_rule, and the contact time
+  EXPECT_TRUE(is("ed_rule == tc && tc > 1e-5"));  // a value of ed_rule, and the contact time
   EXPECT_FALSE(is("ed_rule != tc || tc > 1"));
   EXPECT_TRUE(is("material == none && end != none"));  // of two enumerations
   EXPECT_TRUE(is("random_separation == true"));

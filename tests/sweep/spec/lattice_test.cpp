@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
-#include "sigmasweep/model/relevance.hpp"
 #include "support/spec_refusal.hpp"
 
 /// Specs with geometry = "lattice" and "vibrated-lattice".
@@ -69,16 +69,16 @@ TEST(LatticeSweep, TakesSpringsAndMaterialsToo) {
 }
 
 TEST(LatticeSweep, HasItsOwnColumns) {
-  EXPECT_EQ(columns(with(flies)),
-            (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "rows", "columns",
-                                      "eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "x_max", "contacts",
-                                      "end", "status"}));
+  EXPECT_EQ(columns(with(flies)), (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "rows",
+                                                            "columns", "eps_eff", "eps_eff_error", "Er_Ef", "Er_E0",
+                                                            "v_cm", "t_k", "x_max", "contacts", "end", "status"}));
   EXPECT_EQ(std::ranges::count(columns(with(flies + "D_t = [1, 2]")), "D_t"), 1);
   EXPECT_EQ(std::ranges::count(columns(with(flies + "integrator = \"rk4\"")), "predicted_growth"), 1);
   EXPECT_EQ(columns(Sweep::parse(spec(vibrates, "\"vibrated-lattice\""), "l")),
-            (std::vector<std::string>{"tc", "N", "epsilon", "method", "rows", "columns", "frequency", "alpha", "A0",
-                                      "periods", "x_max", "h_cm", "h_cm_error", "h_cm_excess", "E_r", "cm_period",
-                                      "power_in", "power_lost", "imbalance", "contacts", "end", "status"}));
+            (std::vector<std::string>{"tc",         "N",           "epsilon", "method",    "rows",     "columns",
+                                      "frequency",  "alpha",       "A0",      "periods",   "x_max",    "h_cm",
+                                      "h_cm_error", "h_cm_excess", "E_r",     "cm_period", "power_in", "power_lost",
+                                      "imbalance",  "contacts",    "end",     "status"}));
 }
 
 TEST(LatticeSweep, CountsItsBeadsItself) {
@@ -98,7 +98,9 @@ TEST(LatticeSweep, CountsItsBeadsItself) {
 
 TEST(LatticeSweep, BesideColumnsHasNForThem) {
   const Sweep sweep = Sweep::parse(spec("v0 = 0.05\ns0 = 0\nrows = [2, 3]\nN = [2, 3]\ncolumns = 5\n"
-                                        "zip = [[\"rows\", \"N\"]]\nseed = 1\nwidth = 1e-4", both), "l");
+                                        "zip = [[\"rows\", \"N\"]]\nseed = 1\nwidth = 1e-4",
+                                        both),
+                                   "l");
   ASSERT_EQ(sweep.size(), 4u);  // geometry first
   EXPECT_EQ(sweep.at(0).N, 10);
   EXPECT_EQ(sweep.at(1).N, 15);

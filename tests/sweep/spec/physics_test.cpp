@@ -64,8 +64,9 @@ TEST(Ways, ContactFollowsFromStiffnessAtEachSpeed) {
 }
 
 TEST(Ways, RowsAreWhatCompleteSays) {
-  const Sweep all = with("d = 1e-3\nlaw = [\"hooke\", \"hertz\", \"taguchi\", \"power\"]\nbeta = [0.3, 0.4]\n"
-                         "gamma = 0.1\nK_over_m = [2e9, 2e12]\nD_n = [0, 10]\nmethod = [\"md\", \"ed\"]");
+  const Sweep all = with(
+      "d = 1e-3\nlaw = [\"hooke\", \"hertz\", \"taguchi\", \"power\"]\nbeta = [0.3, 0.4]\n"
+      "gamma = 0.1\nK_over_m = [2e9, 2e12]\nD_n = [0, 10]\nmethod = [\"md\", \"ed\"]");
   for (std::uint64_t k = 0; k < all.size(); ++k) {
     Parameters given = all.at(k);
     given.tc = given.epsilon = given.sigma = 0.5;
@@ -91,8 +92,9 @@ TEST(Ways, MoreDifferentPairsThanAreRememberedGiveTheSame) {
 }
 
 TEST(Ways, RememberedPairsTakeNoTime) {
-  const Sweep sweep = with("law = \"hertz\"\nmaterial = \"steel\"\nrandom_separation = true\n"
-                           "seed = { from = 1, to = 100000, count = 100000 }");
+  const Sweep sweep = with(
+      "law = \"hertz\"\nmaterial = \"steel\"\nrandom_separation = true\n"
+      "seed = { from = 1, to = 100000, count = 100000 }");
   const auto start = std::chrono::steady_clock::now();
   double sum = 0.0;
   for (std::uint64_t k = 0; k < sweep.size(); ++k) sum += sweep.at(k).epsilon;
@@ -120,12 +122,15 @@ TEST(Ways, PairsThatStayTogetherAreForSoftSpheres) {
   expect_part(wrong("method = \"ed\"\nK_over_m = 2e9\nD_n = 1e6"), "too damped to come apart");
   // Only in the middle of the axes, and only with one of the laws.
   expect_part(wrong("method = \"ed\"\nlaw = [\"hertz\", \"hooke\"]\nK_over_m = [2e12, 2e9]\n"
-                    "zip = [[\"law\", \"K_over_m\"]]\nD_n = [1, 1e6, 2]"), "too damped");
+                    "zip = [[\"law\", \"K_over_m\"]]\nD_n = [1, 1e6, 2]"),
+              "too damped");
   EXPECT_EQ(wrong("method = \"ed\"\nlaw = [\"hertz\", \"hooke\"]\nK_over_m = [2e12, 2e9]\nD_n = [1e3, 1e4]\n"
-                  "zip = [[\"law\", \"K_over_m\", \"D_n\"]]"), "accepted");
+                  "zip = [[\"law\", \"K_over_m\", \"D_n\"]]"),
+            "accepted");
   // More pairs than are looked at one by one: the extremes tell.
   expect_part(refusal("method = \"ed\"\nN = 1\ns0 = 0\nK_over_m = 2e9\nD_n = { from = 0, to = 1e6, count = 2000 }\n"
-                      "v0 = { from = 1, to = 2, count = 2000 }"), "too damped");
+                      "v0 = { from = 1, to = 2, count = 2000 }"),
+              "too damped");
 }
 
 TEST(Ways, GapsMustBeFinite) {
@@ -145,7 +150,8 @@ TEST(PowerLaw, NeedsItsExponentsAndNothingElseDoes) {
   EXPECT_EQ(wrong(contact + "law = [\"hertz\", \"power\"]\nbeta = [0.5, 0.6]\ngamma = 0"), "accepted");
   expect_part(wrong(power + "beta = 4.5\ngamma = 0"), "sweep.beta = 4.5 is not allowed");
   expect_part(wrong(contact + "method = [\"ed\", \"md\"]\nlaw = [\"power\", \"hooke\"]\n"
-                              "zip = [[\"method\", \"law\"]]\nbeta = 1\ngamma = 1"), "sweep.beta: no tuple uses it");
+                              "zip = [[\"method\", \"law\"]]\nbeta = 1\ngamma = 1"),
+              "sweep.beta: no tuple uses it");
 }
 
 TEST(Law, OfHardSpheresOnlyWhereEpsilonFollowsFromIt) {
@@ -167,8 +173,10 @@ TEST(Random, SeedOnlyWhereSomethingIsRandom) {
   expect_part(wrong(contact + "seed = -1\nwidth = 1e-4"), "seed = -1 is not allowed");
   EXPECT_EQ(refusal("v0 = 1\nN = 3\ns0 = 0\n" + contact + "random_separation = true"),
             "test.toml:7: sweep.random_separation: no tuple uses it: it needs a gap: s0 > 0 or sigma > 0");
-  expect_part(refusal("v0 = 1\nN = 3\n" + contact + "sigma = [0, 1]\nrandom_separation = [true, false]\n"
-                      "zip = [[\"sigma\", \"random_separation\"]]\nseed = 3"), "sweep.seed: no tuple uses it");
+  expect_part(refusal("v0 = 1\nN = 3\n" + contact +
+                      "sigma = [0, 1]\nrandom_separation = [true, false]\n"
+                      "zip = [[\"sigma\", \"random_separation\"]]\nseed = 3"),
+              "sweep.seed: no tuple uses it");
 }
 
 TEST(Random, SeparationIsTrueOrFalse) {

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "sigmasweep/base/errors.hpp"
-#include "sweep/expression/formula.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
-#include "sweep/expression/where.hpp"
 #include "support/spec_refusal.hpp"
+#include "sweep/expression/formula.hpp"
+#include "sweep/expression/where.hpp"
 
 /// [plot] and [[plot]] of a spec, and the formulas in them.
 using namespace sigmasweep;
@@ -124,8 +124,7 @@ TEST(PlotSpec, Refusals) {
   const auto expect = [](const std::string& plots, const std::string& message) {
     EXPECT_EQ(refusal(plots), "plot.toml:" + message);
   };
-  expect("[plot]\ny = \"1 - eps_ef\"",
-         "8: plot.y = \"1 - eps_ef\": unknown name 'eps_ef' (did you mean 'eps_eff'?)");
+  expect("[plot]\ny = \"1 - eps_ef\"", "8: plot.y = \"1 - eps_ef\": unknown name 'eps_ef' (did you mean 'eps_eff'?)");
   expect("[plot]\nx = \"N > 1\"", "8: plot.x = \"N > 1\": it must be a number, such as '1 - eps_eff'");
   expect("[plot]\nwhere = \"N + 1\"", "8: plot.where = \"N + 1\": it must be boolean, such as 'sigma > 1'");
   expect("[[plot]]\n[[plot]]\n", "8: plot: only one plot may be without a name");
@@ -140,8 +139,9 @@ TEST(PlotSpec, Refusals) {
          "7: plot: on logarithmic axes a guide must go through a point with x > 0 and y > 0");
   expect("[plot]\nguides = [{ slope = 1, through = [1] }]", "8: plot.guides.through = [...]: must be a point [x, y]");
   expect("[plot]\nlines = \"yes\"", "8: plot.lines = \"yes\": must be true or false");
-  expect("[plot]\nmean_over = [\"seeed\"]", "8: plot.mean_over = \"seeed\": is no field of a row (did you mean "
-                                            "'seed'?)");
+  expect("[plot]\nmean_over = [\"seeed\"]",
+         "8: plot.mean_over = \"seeed\": is no field of a row (did you mean "
+         "'seed'?)");
   EXPECT_NE(refusal("plot = []"), "accepted");
 }
 

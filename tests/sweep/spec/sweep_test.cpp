@@ -130,7 +130,8 @@ tc = [0.1, 0.2]
 N = [5, 6, 7]
 epsilon = 0.9
 zip = [["tc", "v0"], ["N", "sigma"]]
-)toml", "test.toml");
+)toml",
+                                   "test.toml");
   ASSERT_EQ(sweep.size(), 6u);
   EXPECT_EQ(values(sweep, "v0"), (Doubles{1, 1, 1, 2, 2, 2}));
   EXPECT_EQ(values(sweep, "tc"), (Doubles{0.1, 0.1, 0.1, 0.2, 0.2, 0.2}));
@@ -177,7 +178,8 @@ v0      = { sample = "sobol", from = 1, to = 3, count = 3 }
 sigma   = { sample = "sobol", from = 0, to = 1, count = 3 }
 epsilon = { sample = "sobol", from = 0.5, to = 1, count = 3 }
 zip = [["v0", "sigma", "epsilon"]]
-)toml", "test.toml");
+)toml",
+                                   "test.toml");
   EXPECT_EQ(values(sweep, "v0"), (Doubles{2, 2.5, 1.5}));
   EXPECT_EQ(values(sweep, "sigma"), (Doubles{0.5, 0.25, 0.75}));
   EXPECT_EQ(values(sweep, "epsilon"), (Doubles{0.75, 0.625, 0.875}));
@@ -194,8 +196,9 @@ TEST(Spec, WholeNumbers) {
 }
 
 TEST(Spec, WhereKeepsTheOrder) {
-  const Sweep sweep = with("method = [\"md\", \"ed\"]\nsigma = [1, 2, 3, 4]\n"
-                           "where = \"sigma > 2 && method == ed || sigma == 1\"");
+  const Sweep sweep = with(
+      "method = [\"md\", \"ed\"]\nsigma = [1, 2, 3, 4]\n"
+      "where = \"sigma > 2 && method == ed || sigma == 1\"");
   EXPECT_EQ(values(sweep, "sigma"), (Doubles{1, 1, 3, 4}));
   EXPECT_EQ(values(sweep, "method"), (Doubles{0, 1, 1, 1}));
 }
@@ -208,11 +211,11 @@ TEST(Spec, HardSpheresNeedNoContactTime) {
 }
 
 TEST(Spec, ParametersThatSomeTuplesUseAreAccepted) {
-  const Sweep both =
-      with("sigma = 1\nintegrator = [\"exact\", \"gear5\"]\nsteps_per_tc = [50, 100]\ntolerance = 1e-8");
+  const Sweep both = with("sigma = 1\nintegrator = [\"exact\", \"gear5\"]\nsteps_per_tc = [50, 100]\ntolerance = 1e-8");
   EXPECT_EQ(both.size(), 4u);
-  const Sweep zipped = with("sigma = 1\nmethod = [\"ed\", \"md\"]\nintegrator = [\"exact\", \"rk4\"]\n"
-                            "zip = [[\"method\", \"integrator\"]]\nsteps_per_tc = 100");
+  const Sweep zipped = with(
+      "sigma = 1\nmethod = [\"ed\", \"md\"]\nintegrator = [\"exact\", \"rk4\"]\n"
+      "zip = [[\"method\", \"integrator\"]]\nsteps_per_tc = 100");
   EXPECT_EQ(zipped.size(), 2u);
 }
 
@@ -232,7 +235,8 @@ v0 = { from = 1, to = 1048576, count = 1048576 }
 sigma = { from = 1, to = 1024, count = 1024 }
 tc = 1e-4
 epsilon = 0.9
-)toml", "test.toml");
+)toml",
+                                   "test.toml");
   ASSERT_EQ(sweep.size(), std::uint64_t{1} << 40);
   const Parameters p = sweep.at(((std::uint64_t{700} << 20 | 123456) << 10) | 77);
   EXPECT_EQ(p.N, 701);
@@ -247,8 +251,9 @@ TEST(Spec, ColumnsAreFixedPlusAxesPlusResults) {
     for (const Field& field : sweep.columns()) all.emplace_back(field.name);
     return all;
   };
-  std::vector<std::string> expected{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "eps_eff", "eps_eff_error",
-                                    "Er_Ef", "Er_E0", "v_cm", "t_k", "x_max", "contacts", "end", "status"};
+  std::vector<std::string> expected{
+      "v0",    "tc",    "s0",   "sigma", "N",     "epsilon",  "method", "eps_eff", "eps_eff_error",
+      "Er_Ef", "Er_E0", "v_cm", "t_k",   "x_max", "contacts", "end",    "status"};
   EXPECT_EQ(names(with("sigma = 1\nwall = \"matched\"")), expected);
   expected.insert(expected.begin() + 7, {"wall", "tolerance"});
   EXPECT_EQ(names(with("sigma = 1\ntolerance = [1e-8, 1e-10]\nwall = [\"paper\", \"matched\"]")), expected);
@@ -259,8 +264,9 @@ TEST(Spec, PlotAndRun) {
   EXPECT_EQ(plain.manager(), ManagerRole::automatic);
   EXPECT_EQ(plain.plots()[0].x, "sigma");
   EXPECT_TRUE(plain.plots()[0].series.empty());
-  const Sweep other = with("sigma = 1\n[run]\nmanager = \"dedicated\"\n[plot]\nx = \"N\"\ny = \"run_time\"\nx_scale = "
-                           "\"linear\"\ny_scale = \"log\"\ntitle = \"T\"\n");
+  const Sweep other = with(
+      "sigma = 1\n[run]\nmanager = \"dedicated\"\n[plot]\nx = \"N\"\ny = \"run_time\"\nx_scale = "
+      "\"linear\"\ny_scale = \"log\"\ntitle = \"T\"\n");
   EXPECT_EQ(other.manager(), ManagerRole::dedicated);
   EXPECT_EQ(other.plots()[0].x, "N");
   EXPECT_EQ(other.plots()[0].y, "run_time");

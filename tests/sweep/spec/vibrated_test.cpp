@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
-#include "sigmasweep/model/relevance.hpp"
 #include "support/spec_refusal.hpp"
 
 /// Specs with geometry = "vibrated-column".
@@ -49,11 +49,12 @@ TEST(VibratedSweep, NeedsNeitherSpeedNorGap) {
 }
 
 TEST(VibratedSweep, HasItsOwnColumns) {
-  EXPECT_EQ(columns(with(soft + "alpha = [2, 4]")),
-            (std::vector<std::string>{"tc", "N", "epsilon", "method", "frequency", "alpha", "A0", "periods", "x_max",
-                                      "h_cm", "h_cm_error", "h_cm_excess", "separation", "separation_max", "E_r",
-                                      "cm_period", "power_in", "power_lost", "imbalance", "contacts", "end",
-                                      "status"}));
+  EXPECT_EQ(
+      columns(with(soft + "alpha = [2, 4]")),
+      (std::vector<std::string>{
+          "tc",       "N",          "epsilon",    "method",      "frequency",  "alpha",          "A0",  "periods",
+          "x_max",    "h_cm",       "h_cm_error", "h_cm_excess", "separation", "separation_max", "E_r", "cm_period",
+          "power_in", "power_lost", "imbalance",  "contacts",    "end",        "status"}));
   const auto hard = columns(with("method = \"ed\"\nalpha = 2"));
   EXPECT_EQ(std::ranges::count(hard, "x_max"), 0);
   EXPECT_EQ(std::ranges::count(hard, "tc"), 0);
@@ -80,14 +81,16 @@ TEST(VibratedSweep, RefusesWhatIsMissingOrTwice) {
   EXPECT_EQ(wrong(soft), "vib.toml:1: sweep: one of 'alpha' and 'A0' is missing");
   EXPECT_EQ(wrong(soft + "alpha = 2\nA0 = 1e-3"),
             "vib.toml:7: sweep.A0: give alpha or A0, not both: alpha = A0 (2 pi frequency)^2/gravity");
-  EXPECT_EQ(wrong("alpha = 2"), "vib.toml:1: sweep: 'tc' is missing: N, one of alpha and A0, and tc and epsilon (or "
-                                "instead of these K_over_m and D_n, or a material) are needed");
+  EXPECT_EQ(wrong("alpha = 2"),
+            "vib.toml:1: sweep: 'tc' is missing: N, one of alpha and A0, and tc and epsilon (or "
+            "instead of these K_over_m and D_n, or a material) are needed");
 }
 
 TEST(VibratedSweep, RefusesWhatItDoesNotUse) {
   const std::string plate = soft + "alpha = 2\n";
-  EXPECT_EQ(wrong(plate + "sigma = 1"), "vib.toml:7: sweep.sigma: no tuple uses it: it needs geometry = 'column' or "
-                                          "'lattice'");
+  EXPECT_EQ(wrong(plate + "sigma = 1"),
+            "vib.toml:7: sweep.sigma: no tuple uses it: it needs geometry = 'column' or "
+            "'lattice'");
   EXPECT_EQ(wrong(plate + "v0 = 1"),
             "vib.toml:7: sweep.v0: no tuple uses it: it needs geometry = 'column' or 'lattice', or a law that is not "
             "linear");
@@ -134,8 +137,11 @@ TEST(VibratedSweep, PlotsTheRiseAgainstAlphaUnlessToldOtherwise) {
     EXPECT_EQ(usual.y, "h_cm_excess");
     EXPECT_FALSE(usual.x_log);
   }
-  const PlotSpec own = with(plate + "[plot]\nx = \"tc\"\ny = \"1e3*separation\"\nx_scale = \"log\"\n"
-                                    "y_error = \"1e3*h_cm_error\"").plots().front();
+  const PlotSpec own = with(plate +
+                            "[plot]\nx = \"tc\"\ny = \"1e3*separation\"\nx_scale = \"log\"\n"
+                            "y_error = \"1e3*h_cm_error\"")
+                           .plots()
+                           .front();
   EXPECT_EQ(own.x, "tc");
   EXPECT_EQ(own.y, "1e3*separation");
   EXPECT_EQ(own.y_error, "1e3*h_cm_error");

@@ -49,8 +49,7 @@ std::uint32_t LatticeCluster<Real, Ground>::add_guest(std::uint32_t bead, const 
 }
 
 template <class Real, class Ground>
-void LatticeCluster<Real, Ground>::add_contact(std::uint32_t first, std::uint32_t second,
-                                               const Neighbour<Real>& with) {
+void LatticeCluster<Real, Ground>::add_contact(std::uint32_t first, std::uint32_t second, const Neighbour<Real>& with) {
   const Column<Real>& beads = lattice_.beads;
   const bool at_wall = with.is_wall();
   const Real m = mass_[first], other = at_wall ? Real(0) : mass_[second];
@@ -103,8 +102,7 @@ void LatticeCluster<Real, Ground>::slopes(const State& y, State& dy, const Real&
 
 /// And its load. What the contacts lose: F less its elastic part, and the tangential force.
 template <class Real, class Ground>
-void LatticeCluster<Real, Ground>::works_of_plate(State& dy, const Real& at) requires(Ground::moves)
-{
+void LatticeCluster<Real, Ground>::works_of_plate(State& dy, const Real& at) requires(Ground::moves) {
   const std::size_t count = contacts_.size(), n = beads_.size();
   const double load = ground_.load(double(at)), speed = ground_.speed(double(at));
   for (std::size_t i = 0; i < n; ++i) dy[2 * (n + i) + 1] -= load;

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/kernels_many.hpp"
-#include "assembly/lattice_neighbours.hpp"
 #include "assembly/ground.hpp"
-#include "numerics/dormand_prince.hpp"
-#include "base/vec2.hpp"
 #include "assembly/lattice.hpp"
+#include "assembly/lattice_neighbours.hpp"
+#include "base/vec2.hpp"
+#include "contact/kernels_many.hpp"
+#include "numerics/dormand_prince.hpp"
 
 namespace sigmasweep {
 
@@ -22,8 +22,11 @@ struct BeadMotion {
   Real begin, span;
   BeadMotion(const Vec2<Real>& origin_, const BeadState<Real>& from, const BeadState<Real>& to, const Real& begin_,
              const Real& span_)
-      : origin(origin_), x({from.q.x, from.v.x, from.a.x}, {to.q.x, to.v.x, to.a.x}, span_),
-        z({from.q.z, from.v.z, from.a.z}, {to.q.z, to.v.z, to.a.z}, span_), begin(begin_), span(span_) {}
+      : origin(origin_),
+        x({from.q.x, from.v.x, from.a.x}, {to.q.x, to.v.x, to.a.x}, span_),
+        z({from.q.z, from.v.z, from.a.z}, {to.q.z, to.v.z, to.a.z}, span_),
+        begin(begin_),
+        span(span_) {}
   BeadState<Real> at(const Real& t) const {
     const Real s = (t - begin) / span;
     const Motion<Real> horizontal = x.at(s, span), vertical = z.at(s, span);
@@ -121,11 +124,11 @@ class LatticeCluster {
   std::vector<std::uint32_t> beads_;
   std::vector<BeadMotion<Real>> guests_;
   std::vector<Contact> contacts_;
-  std::vector<Real> mass_;                ///< of the slots; of the wall 0
+  std::vector<Real> mass_;                     ///< of the slots; of the wall 0
   std::vector<Real> K_, C_, C_t_, x_, u_, F_;  ///< of the contacts
   std::vector<Vec2<Real>> n_, w_;
-  std::vector<Vec2<Real>> origin_;        ///< displacements of the beads where the step begins
-  std::vector<Vec2<Real>> q_, v_, f_;     ///< of the slots
+  std::vector<Vec2<Real>> origin_;     ///< displacements of the beads where the step begins
+  std::vector<Vec2<Real>> q_, v_, f_;  ///< of the slots
   State start_, end_, start_slope_, end_slope_;
   Real begin_{}, span_{}, next_{};
   std::uint64_t work_ = 0;

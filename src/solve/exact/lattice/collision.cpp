@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solve/to_si.hpp"
-#include "solve/fixed_step/collision.hpp"
 #include "assembly/lattice.hpp"
+#include "solve/fixed_step/collision.hpp"
+#include "solve/to_si.hpp"
 #include "solve/twin_runs.hpp"
 
 namespace sigmasweep {
@@ -19,8 +19,8 @@ Collision result(const Parameters& p, const Lattice<Real>& lattice, const Lattic
   return in_si_with(energies(lattice, outcome.velocity), outcome, p);
 }
 
-/// The change of eps_eff that the runs' velocities would make if its parts had random signs. Runs of a collision that is
-/// chaotic may well have the same eps_eff by chance, but not the same velocities; without losses it is no chance.
+/// The change of eps_eff that the runs' velocities would make if its parts had random signs. Runs of a collision that
+/// is chaotic may well have the same eps_eff by chance, but not the same velocities; without losses it is no chance.
 template <class Real>
 double apart(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, const LatticeOutcome<Real>& other) {
   if (lattice.beads.C == 0 && lattice.beads.C_wall == 0 && lattice.D_t == 0) return 0.0;
@@ -35,9 +35,9 @@ double apart(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, cons
   return energy > 0.0 ? std::sqrt(squares / (energy * mass)) / double(lattice.beads.speed) : 0.0;
 }
 
-/// What eps_eff may be off by as nobody knows when it is over: late contacts of slow beads come at times that are chaotic
-/// before eps_eff is. The runs' longest waits say by how much these are unknown, and which of them may be on the other side
-/// of quiet_time().
+/// What eps_eff may be off by as nobody knows when it is over: late contacts of slow beads come at times that are
+/// chaotic before eps_eff is. The runs' longest waits say by how much these are unknown, and which of them may be on
+/// the other side of quiet_time().
 template <class Real>
 double undecided(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, const LatticeOutcome<Real>& other) {
   const auto &waits = one.waits.longest, &others = other.waits.longest;
@@ -60,10 +60,10 @@ Collision pair_of_runs(const Parameters& p, const LatticeOptions& options) {
   Collision c = result(p, lattice, outcome);
   if (c.status != Status::ok) return c;
   const LatticeOutcome<Real> other = lattice_collision(lattice, coarse);
-  const double difference =
-      other.status != Status::ok ? 1.0
-                                 : std::max(std::fabs(eps_eff(lattice, other) - eps_eff(lattice, outcome)),
-                                            apart(lattice, outcome, other) / doubt);
+  const double difference = other.status != Status::ok
+                                ? 1.0
+                                : std::max(std::fabs(eps_eff(lattice, other) - eps_eff(lattice, outcome)),
+                                           apart(lattice, outcome, other) / doubt);
   // Both runs have the same positions after long flights, and what these cannot resolve does not differ.
   const double from_nothing = std::max(c.eps_eff - 1.0, 0.0);
   c.eps_eff_error = twin_error(c, difference, options.accuracy, double(outcome.remainder)) +

@@ -171,8 +171,7 @@ void LatticeEvents<Real, Ground>::restart(std::vector<Placed>& placed, const Rea
   // Clusters around that are over at the same time come along.
   for (std::size_t k = 0; k < placed.size(); ++k)
     for (const Neighbour<Real>& other : touching_[placed[k].bead])
-      if (!other.is_wall() && mark_[other.bead] != marks_ &&
-          until(other.bead) - t < Real(no_time) * longest_)
+      if (!other.is_wall() && mark_[other.bead] != marks_ && until(other.bead) - t < Real(no_time) * longest_)
         gather_cluster(std::size_t(beads_[other.bead].cluster), t, placed);
   std::vector<Real> span_of;  // by slot
   for (const Placed& p : placed) {
@@ -214,8 +213,7 @@ Real LatticeEvents<Real, Ground>::next_beat(const Real& t) const {
 
 /// The next step of beads that touch each other.
 template <class Real, class Ground>
-void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> group, const Real& span,
-                                                const Real& t) {
+void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> group, const Real& span, const Real& t) {
   const std::size_t id = new_cluster(group.size());
   Held& held = clusters_[id];
   Cluster& cluster = *held.cluster;
@@ -276,8 +274,8 @@ void LatticeEvents<Real, Ground>::handle(const Event& event) {
   }
 }
 
-/// The clock starts: at the beginning, with a period of the plate, and where nothing touches after a long time, as times
-/// would lose digits. All clusters there are are whole.
+/// The clock starts: at the beginning, with a period of the plate, and where nothing touches after a long time, as
+/// times would lose digits. All clusters there are are whole.
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::begin_anew(const Real& t) {
   ++marks_;

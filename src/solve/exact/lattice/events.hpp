@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "solve/exact/lattice/cluster.hpp"
-#include "assembly/lattice_neighbours.hpp"
 #include "assembly/ground.hpp"
 #include "assembly/lattice.hpp"
+#include "assembly/lattice_neighbours.hpp"
+#include "solve/exact/lattice/cluster.hpp"
 
 namespace sigmasweep {
 
@@ -51,7 +51,7 @@ class LatticeEvents {
   static constexpr Real never = std::numeric_limits<Real>::infinity();
 
   struct Bead {
-    Vec2<Real> q, v;          ///< in no contact: at time `since`
+    Vec2<Real> q, v;  ///< in no contact: at time `since`
     Real since{};
     std::int32_t cluster = -1;
     std::uint32_t place = 0;  ///< in its cluster
@@ -77,7 +77,7 @@ class LatticeEvents {
   struct Held {
     std::unique_ptr<Cluster> cluster;
     std::uint32_t version = 0;
-    std::uint64_t counted = 0;  ///< of its work, before it was taken into use
+    std::uint64_t counted = 0;           ///< of its work, before it was taken into use
     bool in_use = false, whole = false;  ///< whole: has no guests and is small
   };
   struct Placed {
@@ -139,16 +139,16 @@ class LatticeEvents {
   [[no_unique_address]] Ground ground_;
   LatticeNeighbours<Real> neighbours_;
   Real closing_overlap_, slowest_;
-  Real longest_;                ///< between beats, at which steps of clusters that are not whole end
+  Real longest_;  ///< between beats, at which steps of clusters that are not whole end
   std::vector<Bead> beads_;
   std::vector<std::vector<Neighbour<Real>>> touching_;
   std::vector<Held> clusters_;
   std::vector<std::size_t> free_clusters_;
   std::vector<std::unique_ptr<Cluster>> large_;  ///< not in use
-  std::vector<std::uint32_t> mark_, slot_;  ///< scratch, for each bead
+  std::vector<std::uint32_t> mark_, slot_;       ///< scratch, for each bead
   std::uint32_t marks_ = 0;
   Queue queue_;
-  Real now_{}, epoch_{};        ///< the clock began at epoch_
+  Real now_{}, epoch_{};  ///< the clock began at epoch_
   Real last_touch_{}, last_change_{}, wall_closed_ = -Real(1), wall_opened_{}, x_max_{};
   Real contact_time_{}, counted_to_{};
   Waits<Real> waits_;

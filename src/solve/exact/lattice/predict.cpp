@@ -8,8 +8,8 @@ namespace sigmasweep {
 namespace {
 
 /// Beads that meet more slowly than `slowest_` do not touch before they overlap by so many closing overlaps: rounding
-/// moves beads that lie side by side that fast, and a row of them without gaps would be at it for ever. It is next to no
-/// energy: of the order of the accuracy. On a plate, where beads press against each other that slowly, it is less.
+/// moves beads that lie side by side that fast, and a row of them without gaps would be at it for ever. It is next to
+/// no energy: of the order of the accuracy. On a plate, where beads press against each other that slowly, it is less.
 template <class Ground>
 constexpr double shallow = Ground::moves ? 1e3 : 1e6;
 
@@ -124,7 +124,8 @@ Real LatticeEvents<Real, Ground>::meeting_of_motions(std::size_t i, const Neighb
   if (Quintic<Real>::stays_positive(from, to, span)) return never;
   const Quintic<Real> gap(from, to, span);
   const auto when = FirstRoot<Real, 5>::find(gap.c, Real(1));
-  if (!when || (gap.at(*when, span).u > -slowest_ && to.x - shift > -Real(shallow<Ground>) * closing_overlap_)) return never;
+  if (!when || (gap.at(*when, span).u > -slowest_ && to.x - shift > -Real(shallow<Ground>) * closing_overlap_))
+    return never;
   return t + *when * span;
 }
 
@@ -190,7 +191,8 @@ Real LatticeEvents<Real, Ground>::leaves(std::size_t i, const Real& t) const {
     const Real load = ground_.g + ground_.A0 * ground_.omega * ground_.omega;
     return t + 2 * left / (speed + sqrt(speed * speed + 2 * load * left));
   }
-  const Real a = dot(now.v, now.v), b = dot(gone, now.v), c = std::max(Real(leeway * leeway - dot(gone, gone)), Real(0));
+  const Real a = dot(now.v, now.v), b = dot(gone, now.v),
+             c = std::max(Real(leeway * leeway - dot(gone, gone)), Real(0));
   return a == Real(0) ? never : t + (sqrt(b * b + a * c) - b) / a;
 }
 

@@ -14,8 +14,8 @@ constexpr std::size_t most_large = 4;
 
 }  // namespace
 
-/// For a group of `count` beads. Large ones go round by themselves: small clusters need not their memory, and to ask for
-/// it anew at each beat takes longer than the beat.
+/// For a group of `count` beads. Large ones go round by themselves: small clusters need not their memory, and to ask
+/// for it anew at each beat takes longer than the beat.
 template <class Real, class Ground>
 std::size_t LatticeEvents<Real, Ground>::new_cluster(std::size_t count) {
   if (free_clusters_.empty()) {

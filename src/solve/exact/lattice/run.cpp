@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "solve/exact/lattice/events.hpp"
+#include "solve/exact/lattice/vibrated.hpp"
 #include "solve/fixed_step/vibrated_lattice.hpp"
 #include "solve/observer/lattice_samples.hpp"
 #include "solve/observer/lattice_statistics.hpp"
-#include "solve/exact/lattice/vibrated.hpp"
 
 /// From the first event to the last.
 namespace sigmasweep {
@@ -150,8 +150,8 @@ Real LatticeEvents<Real, Ground>::later_change(const Real& loss) const {
   return std::min(loss, E) / (sqrt(energy_at_start()) * (sqrt(E) + sqrt(left)));
 }
 
-/// What eps_eff would be if one of the waits had been the end; and, as the next contact is waited for half as long again,
-/// if that had not been.
+/// What eps_eff would be if one of the waits had been the end; and, as the next contact is waited for half as long
+/// again, if that had not been.
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::doubt_the_end(LatticeOutcome<Real>& outcome) {
   using std::fabs, std::sqrt;
@@ -166,8 +166,7 @@ void LatticeEvents<Real, Ground>::doubt_the_end(LatticeOutcome<Real>& outcome) {
 
 /// As energy_on_plate() of a column; of gravity 0 for beads on their sites.
 template <class Real, class Ground>
-double LatticeEvents<Real, Ground>::energy(const Real& t) const requires(Ground::moves)
-{
+double LatticeEvents<Real, Ground>::energy(const Real& t) const requires(Ground::moves) {
   const double power = 2.0 + lattice_.beads.exponents.beta, speed = ground_.speed(double(t));
   double sum = 0.0;
   for (std::size_t i = 0; i < beads_.size(); ++i) {
@@ -184,8 +183,7 @@ double LatticeEvents<Real, Ground>::energy(const Real& t) const requires(Ground:
 
 template <class Real, class Ground>
 template <class Watcher>
-LatticeOutcome<Real> LatticeEvents<Real, Ground>::follow(Watcher& watcher) requires(Ground::moves)
-{
+LatticeOutcome<Real> LatticeEvents<Real, Ground>::follow(Watcher& watcher) requires(Ground::moves) {
   const Real period = ground_.period();
   const auto show_until = [&](const Real& t) {
     watcher.until(double(t), [this](double when, auto q, auto v) { show_at(Real(when), q, v); });
@@ -225,8 +223,8 @@ void watch_lattice(const Lattice<double>& lattice, LatticeSamples& samples) {
 }
 
 template <class Watcher>
-LatticeOutcome<double> follow_lattice(const Lattice<double>& lattice, const Plate& plate,
-                                      const LatticeOptions& options, Watcher& watcher) {
+LatticeOutcome<double> follow_lattice(const Lattice<double>& lattice, const Plate& plate, const LatticeOptions& options,
+                                      Watcher& watcher) {
   return LatticeEvents<double, Plate>(lattice, options, plate).follow(watcher);
 }
 template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, const LatticeOptions&,

@@ -5,9 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/quad.hpp"
 #include "solve/exact/linear/column.hpp"
 #include "solve/to_si.hpp"
-#include "base/quad.hpp"
 
 namespace sigmasweep {
 

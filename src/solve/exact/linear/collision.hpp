@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <span>
 
-#include "sigmasweep/model/result.hpp"
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/column.hpp"
 #include "sigmasweep/base/budget.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 
 /// The default integrator of the linear law: between two contact events the column is a linear system with constant
 /// coefficients, so it is propagated to rounding error, and the events are found on the solution's own polynomial.
@@ -16,7 +16,7 @@ struct ExactOptions {
   double settle = 1e-13;          ///< stop once later collisions can change eps_eff by less than this; 0: never
   std::uint64_t event_limit = 0;  ///< contacts before giving up (and 8 times as many steps); 0: 100,000 + 20 N^2
   std::uint64_t work_limit = 100'000'000;  ///< contacts propagated, summed over the steps, before giving up: minutes
-  Patience* patience = nullptr;   ///< asked now and then; Status::time_limit where it is over
+  Patience* patience = nullptr;            ///< asked now and then; Status::time_limit where it is over
 };
 
 /// One collision. Real is double, long double or Quad; the result is good to a few roundings of Real times the

@@ -6,12 +6,11 @@ namespace sigmasweep {
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 ExactColumn<Real, Disturbances, Uneven, Order, Ground>::ExactColumn(const Column<Real>& column,
-                                                                    const ExactOptions& options,
-                                                                    const Ground& ground)
+                                                                    const ExactOptions& options, const Ground& ground)
     : Events(column.contacts(), ground), column_(column), options_(options), laws_(column), steps_(column) {
   if (options_.event_limit == 0) options_.event_limit = 100'000 + 20 * N_ * N_;
   for (std::size_t k = 1; k < N_; ++k) x_[k] = -column.initial_gap(k);  // the wall's only shifts the clock
-  if constexpr (Ground::moves) {  // at rest relative to the plate
+  if constexpr (Ground::moves) {                                        // at rest relative to the plate
     x_[0] = -column.initial_gap(0);
   } else {
     u_[0] = column.speed;
@@ -132,7 +131,7 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::fly(std::size_t k, 
 /// x and u of the group's contacts at `elapsed` after the start of its step.
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_group(Group& group, const Real& elapsed,
-                                                                           bool whole_step) {
+                                                                        bool whole_step) {
   if constexpr (Ground::moves) {
     this->work_done_ += work_of(group, elapsed);
     if (group.resting) return move_resting(elapsed);
@@ -145,7 +144,7 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_group(Group& g
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_taylor(Group& group, const Real& elapsed,
-                                                                            bool whole_step) {
+                                                                         bool whole_step) {
   const std::size_t n = group.hi - group.lo + 1;
   const Real s = whole_step ? group.scaled : Real(elapsed / group.taylor.step());
   for (int m = 0; m < motions; ++m)
@@ -159,7 +158,7 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_taylor(Group& 
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_binary(Group& group, const Real& elapsed,
-                                                                            bool whole_step) {
+                                                                         bool whole_step) {
   const std::size_t k = group.contact;
   const auto& contact = laws_.binary(k);
   const State entry = state(k);

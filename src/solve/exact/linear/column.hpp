@@ -7,16 +7,16 @@
 #include <span>
 #include <vector>
 
-#include "solve/exact/linear/pair_table.hpp"
-#include "assembly/energy_balance.hpp"
-#include "solve/exact/event_loop_on_ground.hpp"
-#include "numerics/noise.hpp"
-#include "solve/exact/linear/resting_cluster.hpp"
-#include "solve/observer/samples.hpp"
 #include "assembly/column.hpp"
+#include "assembly/energy_balance.hpp"
+#include "numerics/noise.hpp"
+#include "solve/exact/event_loop_on_ground.hpp"
 #include "solve/exact/linear/collision.hpp"
+#include "solve/exact/linear/pair_table.hpp"
+#include "solve/exact/linear/resting_cluster.hpp"
 #include "solve/exact/linear/step_lengths.hpp"
 #include "solve/exact/linear/taylor_group.hpp"
+#include "solve/observer/samples.hpp"
 
 namespace sigmasweep {
 
@@ -25,13 +25,13 @@ namespace sigmasweep {
 template <class Real, class Taylor>
 struct ExactGroup {
   std::size_t lo = 0, hi = 0;
-  Real start{}, length{};      ///< the present step, in time
-  std::size_t contact = 0;     ///< which contact changes at the step's end, if `event`
+  Real start{}, length{};   ///< the present step, in time
+  std::size_t contact = 0;  ///< which contact changes at the step's end, if `event`
   bool event = false, binary = false;
-  bool resting = false;        ///< plate: the step goes by RestingCluster
-  bool prepared = false;       ///< Taylor: the laws are set
-  Real longest{};              ///< Taylor: how far the series reaches, in time
-  Real scaled{};               ///< Taylor: length over longest
+  bool resting = false;   ///< plate: the step goes by RestingCluster
+  bool prepared = false;  ///< Taylor: the laws are set
+  Real longest{};         ///< Taylor: how far the series reaches, in time
+  Real scaled{};          ///< Taylor: length over longest
   Taylor taylor;
 };
 
@@ -72,8 +72,7 @@ class ExactColumn
   Outcome<Real> run(Watcher& watcher);
   /// On a plate, instead of run(): ground_events.hpp.
   template <class Watcher>
-  Outcome<Real> follow(Watcher& watcher) requires(Ground::moves)
-  {
+  Outcome<Real> follow(Watcher& watcher) requires(Ground::moves) {
     return Events::follow(watcher);
   }
   /// After run(): a bound of the error of eps_eff, `safety` times the disturbances' size.
@@ -94,10 +93,10 @@ class ExactColumn
   using Events = GroundEvents<ExactColumn, Real, Group, motions, Ground>;
   friend Events;
   friend ContactEvents<ExactColumn, Real, Group, motions>;
-  using typename Events::Motion;
   using Events::N_, Events::motion_, Events::x_, Events::u_, Events::at_, Events::closed_, Events::group_of_,
       Events::epoch_, Events::events_, Events::contacts_, Events::wall_opened_, Events::x_max_, Events::ground_,
       Events::state, Events::velocities;
+  using typename Events::Motion;
 
   /// Where eps_eff stands at a moment within the collision.
   struct Balance {
@@ -139,7 +138,7 @@ class ExactColumn
   Noise noise_;
   std::size_t closed_count_ = 0;
   std::uint64_t checked_at_ = 0, checked_step_ = 0, work_ = 0;
-  std::vector<Balance> balances_;       ///< those that could give the smallest error
+  std::vector<Balance> balances_;  ///< those that could give the smallest error
 };
 
 }  // namespace sigmasweep

@@ -17,8 +17,7 @@ constexpr std::size_t most_beads = 100, most_uneven_beads = 32;
 }  // namespace
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-Status ExactColumn<Real, Disturbances, Uneven, Order, Ground>::why_stop() requires(Ground::moves)
-{
+Status ExactColumn<Real, Disturbances, Uneven, Order, Ground>::why_stop() requires(Ground::moves) {
   if (contacts_ >= options_.event_limit || work_ >= options_.work_limit) return Status::event_limit;
   if (options_.patience && options_.patience->is_over(1 + closed_count_)) return Status::time_limit;
   return Status::ok;
@@ -27,8 +26,7 @@ Status ExactColumn<Real, Disturbances, Uneven, Order, Ground>::why_stop() requir
 /// load(start + s h) = g - A0 omega^2 sin(omega start + omega h s) as a series in s, for a group that has the lowest
 /// bead.
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::drive(Group& group, Real& h) requires(Ground::moves)
-{
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::drive(Group& group, Real& h) requires(Ground::moves) {
   if (group.lo > 0) return group.taylor.drive({}, h);
   h = std::min(h, taylor_reach / ground_.omega);
   const Real phase = ground_.omega * group.start, angle = ground_.omega * h;
@@ -42,8 +40,7 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::drive(Group& group,
 
 /// A group of closed contacts from the plate on, with an open one above them or none, as far as it lies still.
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_rest(Group& group) requires(Ground::moves)
-{
+bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_rest(Group& group) requires(Ground::moves) {
   if (group.lo > 0 || !(ground_.load(group.start) > 0)) return false;
   std::size_t beads = 0;
   while (beads <= group.hi && closed_[beads]) ++beads;
@@ -69,9 +66,7 @@ bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_rest(Group& g
 }
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_resting(const Real& elapsed)
-  requires(Ground::moves)
-{
+void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_resting(const Real& elapsed) requires(Ground::moves) {
   x_max_ = std::max(x_max_, on_ground_.resting->deepest(elapsed));
   on_ground_.resting->evaluate(elapsed, x_, u_);
 }
@@ -79,8 +74,7 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_resting(const 
 /// int F_0 z0' dt and sum_k int C_k u_k^2 dt from the start of the group's step to `elapsed` later.
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 PlateWork ExactColumn<Real, Disturbances, Uneven, Order, Ground>::work_of(const Group& group, const Real& elapsed) const
-  requires(Ground::moves)
-{
+    requires(Ground::moves) {
   if (group.resting) return on_ground_.resting->work(elapsed);
   PlateWork work;
   if (group.binary) {

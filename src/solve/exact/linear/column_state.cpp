@@ -7,7 +7,7 @@ namespace sigmasweep {
 /// Overlaps and rates of all contacts at a time between the last event and the next; changes nothing.
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::state_at(const Real& t, std::span<Real> x,
-                                                                        std::span<Real> u) const {
+                                                                      std::span<Real> u) const {
   for (std::size_t k = 0; k < N_; ++k) {
     if (group_of_[k] == Events::none) {
       const State now = this->free_state(k, t);
@@ -42,9 +42,9 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::state_at(const Real
   }
 }
 
-#define SIGMASWEEP_INSTANTIATE(...)                                                                \
-  template void ExactColumn<double, 0, __VA_ARGS__>::state_at(const double&, std::span<double>,    \
-                                                              std::span<double>) const;
+#define SIGMASWEEP_INSTANTIATE(...)                                                                                \
+  template void ExactColumn<double, 0, __VA_ARGS__>::state_at(const double&, std::span<double>, std::span<double>) \
+      const;
 SIGMASWEEP_INSTANTIATE(false)
 SIGMASWEEP_INSTANTIATE(true)
 SIGMASWEEP_INSTANTIATE(false, TaylorOrder<double>::value, Plate)

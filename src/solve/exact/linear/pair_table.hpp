@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "contact/linear_pair.hpp"
 #include "assembly/column.hpp"
+#include "contact/linear_pair.hpp"
 
 namespace sigmasweep {
 
@@ -17,8 +17,10 @@ template <class Real>
 class ContactLaws<Real, false> {
  public:
   explicit ContactLaws(const Column<Real>& column)
-      : wall_(column.K_wall, column.C_wall, Real(1)), pair_(column.K, column.C, Real(2)),
-        C_wall_(column.C_wall), C_(column.C) {}
+      : wall_(column.K_wall, column.C_wall, Real(1)),
+        pair_(column.K, column.C, Real(2)),
+        C_wall_(column.C_wall),
+        C_(column.C) {}
 
   const BinaryContact<Real>& binary(std::size_t k) const { return k == 0 ? wall_ : pair_; }
   const Real& dashpot(std::size_t k) const { return k == 0 ? C_wall_ : C_; }

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "assembly/ground.hpp"
 #include "assembly/column.hpp"
+#include "assembly/ground.hpp"
 
 namespace sigmasweep {
 
@@ -29,7 +29,8 @@ class RestingCluster {
   /// it could be, but for what is below `shortest`.
   double undisturbed(double longest, double shortest) const;
 
-  /// The largest overlap up to `elapsed` after the start; while it rings, within what is seen four times a contact time.
+  /// The largest overlap up to `elapsed` after the start; while it rings, within what is seen four times a contact
+  /// time.
   double deepest(double elapsed) const;
 
   /// x and u at `elapsed` after the start.
@@ -51,16 +52,16 @@ class RestingCluster {
   Plate plate_;
   std::size_t n_;
   bool has_gap_, is_sound_ = false;
-  double below_ = 0.0;                ///< 1/m of the bead below gap n
+  double below_ = 0.0;  ///< 1/m of the bead below gap n
   std::vector<double> K_, C_;
   std::vector<double> x_static_;
-  std::vector<Complex> w_;            ///< answer to the plate's sine
-  std::vector<Complex> lambda_;       ///< 2n rates
-  std::vector<Complex> modes_;        ///< V: rows are x_0..x_(n-1), u_0..u_(n-1)
-  std::vector<Complex> inverse_;      ///< V^-1
+  std::vector<Complex> w_;        ///< answer to the plate's sine
+  std::vector<Complex> lambda_;   ///< 2n rates
+  std::vector<Complex> modes_;    ///< V: rows are x_0..x_(n-1), u_0..u_(n-1)
+  std::vector<Complex> inverse_;  ///< V^-1
 
-  double t_ = 0.0;                    ///< of the start
-  std::vector<Complex> c_;            ///< amplitudes of the modes
+  double t_ = 0.0;          ///< of the start
+  std::vector<Complex> c_;  ///< amplitudes of the modes
   double x_gap_ = 0.0, u_gap_ = 0.0;
 };
 

@@ -93,7 +93,8 @@ class StepLengths<Real, true> {
     for (std::size_t k = 0; k < N; ++k) {
       const Real below = k > 0 ? column.inverse_mass(k - 1) : Real(0), above = column.inverse_mass(k);
       const std::size_t last = k > 0 ? k - 1 : k, next = k + 1 < N ? k + 1 : k;
-      spring_.push_back({below * column.spring(last), column.inertia(k) * column.spring(k), above * column.spring(next)});
+      spring_.push_back(
+          {below * column.spring(last), column.inertia(k) * column.spring(k), above * column.spring(next)});
       dashpot_.push_back(
           {below * column.dashpot(last), column.inertia(k) * column.dashpot(k), above * column.dashpot(next)});
     }

@@ -17,9 +17,18 @@ namespace sigmasweep {
 
 /// Taylor orders by type: with steps of h |s|_max = reach, |s|_max the largest rate of the chain's modes, the first
 /// term left out is reach^(order+1)/(order+1)! of the largest.
-template <class Real> struct TaylorOrder { static constexpr int value = 40; };           // Quad: 7e-38
-template <> struct TaylorOrder<double> { static constexpr int value = 24; };             // 2e-18
-template <> struct TaylorOrder<long double> { static constexpr int value = 28; };        // 6e-23
+template <class Real>
+struct TaylorOrder {
+  static constexpr int value = 40;
+};  // Quad: 7e-38
+template <>
+struct TaylorOrder<double> {
+  static constexpr int value = 24;
+};  // 2e-18
+template <>
+struct TaylorOrder<long double> {
+  static constexpr int value = 28;
+};  // 6e-23
 inline constexpr double taylor_reach = 2.0;
 /// For loose tolerances: 3e-8.
 inline constexpr int low_order = 14;
@@ -69,9 +78,8 @@ class TaylorGroup {
     coupling_[i / Block::count].w[i % Block::count] = w;
   }
   /// The same with 1/m of the beads below (0: the wall) and above.
-  void set_law(std::size_t i, bool closed, const Real& K, const Real& C, const Real& below, const Real& above)
-    requires Uneven
-  {
+  void set_law(std::size_t i, bool closed, const Real& K, const Real& C, const Real& below,
+               const Real& above) requires Uneven {
     set_force(i, closed, K, C);
     coupling_[i / Block::count].bead_below[i % Block::count] = below;
     coupling_[i / Block::count].bead_above[i % Block::count] = above;
@@ -209,7 +217,7 @@ class TaylorGroup {
  private:
   using Block = Lanes<Real>;  ///< eight neighbouring contacts
   using Blocks = std::vector<Block>;
-  static constexpr int screen = 12;     ///< degree of the Bernstein polynomial that rules out most roots
+  static constexpr int screen = 12;  ///< degree of the Bernstein polynomial that rules out most roots
   static constexpr double never = 1e9;
   /// Blocks that a motion can reach within a step: each term of the series brings it one contact on.
   static constexpr std::size_t halo = (order + Block::count - 1) / Block::count;
@@ -345,9 +353,8 @@ class TaylorGroup {
     for (int p = screen + 1; p <= order; ++p) rest = rest + magnitude(term(p, 0, block));
     rest = rest * Block(power / limit);  // limit^p <= limit^screen
     SIGMASWEEP_UNROLL
-    for (std::size_t level = 1; level <= screen; ++level)
-      SIGMASWEEP_UNROLL
-      for (std::size_t p = screen; p >= level; --p) b[p] = b[p] + b[p - 1];
+    for (std::size_t level = 1; level <= screen; ++level) SIGMASWEEP_UNROLL
+    for (std::size_t p = screen; p >= level; --p) b[p] = b[p] + b[p - 1];
     if (limit == Real(1)) {  // the same coefficients bound a closed contact's overlap (of x(t)/t >= x(t)) from above
       Block highest = b[0];
       for (std::size_t p = 1; p <= screen; ++p) highest = where_above(highest, b[p], highest, b[p]);

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "solve/to_si.hpp"
 #include "solve/exact/power_law/column.hpp"
+#include "solve/to_si.hpp"
 #include "solve/twin_runs.hpp"
 
 namespace sigmasweep {

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "sigmasweep/model/result.hpp"
-#include "sigmasweep/model/parameters.hpp"
 #include "assembly/column.hpp"
 #include "sigmasweep/base/budget.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
 
 /// The default integrator of laws F = K x^(1+beta) + C x^gamma x' that are not linear: from contact event to contact
 /// event with the Runge-Kutta scheme DOP853 of order 8 (scene/dormand_prince.hpp). Where a contact has just closed, or
@@ -13,11 +13,11 @@
 namespace sigmasweep {
 
 struct NonlinearOptions {
-  double accuracy = 1e-12;        ///< local error of a step, in units of the speed and of speed times tc
-  double settle = 1e-13;          ///< stop once later collisions can change eps_eff by less than this; 0: never
-  std::uint64_t event_limit = 0;  ///< contacts before giving up; 0: 100,000 + 20 N^2
+  double accuracy = 1e-12;                ///< local error of a step, in units of the speed and of speed times tc
+  double settle = 1e-13;                  ///< stop once later collisions can change eps_eff by less than this; 0: never
+  std::uint64_t event_limit = 0;          ///< contacts before giving up; 0: 100,000 + 20 N^2
   std::uint64_t work_limit = 50'000'000;  ///< contacts propagated, summed over all trial steps, before giving up
-  Patience* patience = nullptr;   ///< asked now and then; Status::time_limit where it is over
+  Patience* patience = nullptr;           ///< asked now and then; Status::time_limit where it is over
 };
 
 /// One collision of a column in reduced units (speed and tc are 1). Real is double or long double.

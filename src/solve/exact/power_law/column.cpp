@@ -8,7 +8,7 @@ namespace sigmasweep {
 
 template <class Real, class Ground>
 NonlinearColumn<Real, Ground>::NonlinearColumn(const Column<Real>& column, const NonlinearOptions& options,
-                                                const Ground& ground)
+                                               const Ground& ground)
     : Events(column.contacts(), ground),
       column_(column),
       options_(options),
@@ -128,16 +128,14 @@ bool NonlinearColumn<Real, Ground>::is_settled() {
 }
 
 template <class Real, class Ground>
-PlateWork NonlinearColumn<Real, Ground>::work_of(Group& group, const Real& elapsed) requires(Ground::moves)
-{
+PlateWork NonlinearColumn<Real, Ground>::work_of(Group& group, const Real& elapsed) requires(Ground::moves) {
   std::vector<Real> x(x_), u(u_);
   group.contacts.within(elapsed, x, u);
   return group.contacts.plate_work();
 }
 
 template <class Real, class Ground>
-Status NonlinearColumn<Real, Ground>::why_stop() requires(Ground::moves)
-{
+Status NonlinearColumn<Real, Ground>::why_stop() requires(Ground::moves) {
   if (lost_) return Status::non_finite;
   if (contacts_ >= options_.event_limit || work_ >= options_.work_limit) return Status::event_limit;
   if (options_.patience && options_.patience->is_over(N_)) return Status::time_limit;

@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "assembly/column.hpp"
 #include "assembly/energy_balance.hpp"
 #include "solve/exact/event_loop_on_ground.hpp"
+#include "solve/exact/power_law/collision.hpp"
 #include "solve/exact/power_law/group.hpp"
 #include "solve/observer/samples.hpp"
-#include "assembly/column.hpp"
-#include "solve/exact/power_law/collision.hpp"
 
 namespace sigmasweep {
 
@@ -39,8 +39,7 @@ class NonlinearColumn
   Outcome<Real> run(Watcher& watcher);
   /// On a plate, instead of run(): ground_events.hpp.
   template <class Watcher>
-  Outcome<Real> follow(Watcher& watcher) requires(Ground::moves)
-  {
+  Outcome<Real> follow(Watcher& watcher) requires(Ground::moves) {
     return Events::follow(watcher);
   }
 

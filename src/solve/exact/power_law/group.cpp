@@ -39,7 +39,7 @@ PowerLawGroup<Real, Ground>::PowerLawGroup(const Column<Real>& column, const Rea
 
 template <class Real, class Ground>
 void PowerLawGroup<Real, Ground>::start(std::size_t lo, std::size_t hi, std::span<const std::uint8_t> closed,
-                                std::span<const Real> x, std::span<const Real> u) {
+                                        std::span<const Real> x, std::span<const Real> u) {
   lo_ = lo;
   n_ = hi - lo + 1;
   closed_.assign(closed.begin() + std::ptrdiff_t(lo), closed.begin() + std::ptrdiff_t(hi) + 1);
@@ -138,8 +138,8 @@ Real PowerLawGroup<Real, Ground>::first_guess() const {
   using std::fabs, std::pow;
   if (leader_ == none) return next_time_span_;
   const Real u = start_[n_ + leader_];
-  const Real size = next_s_span_ != Real(0) ? Real(fabs(next_s_span_))
-                                            : Real(0.3) * pow(Real(near) * fabs(u), Real(1) / Real(q_));
+  const Real size =
+      next_s_span_ != Real(0) ? Real(fabs(next_s_span_)) : Real(0.3) * pow(Real(near) * fabs(u), Real(1) / Real(q_));
   return u > 0 ? size : size > Real(0.7) * from_ ? Real(-from_) : Real(-size);
 }
 
@@ -321,8 +321,10 @@ bool PowerLawGroup<Real, Ground>::locate(std::size_t i, const Real& fraction) {
     trial(at * whole);
     slopes(end_, end_slope_, from_ + span_);
     const Real distance = sign * (end_[i] - goal), slope = sign * end_slope_[i] * whole;
-    if (distance > 0) low = at;
-    else bracketed = true, high = at;
+    if (distance > 0)
+      low = at;
+    else
+      bracketed = true, high = at;
     if (fabs(distance) <= delta_ * Real(0.1) && slope < 0) return true;
     Real next = at - distance / slope;
     if (!(next > low && next < high)) {

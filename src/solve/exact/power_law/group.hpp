@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "contact/kernels_many.hpp"
-#include "assembly/ground.hpp"
-#include "numerics/dormand_prince.hpp"
 #include "assembly/column.hpp"
+#include "assembly/ground.hpp"
+#include "contact/kernels_many.hpp"
+#include "numerics/dormand_prince.hpp"
 
 namespace sigmasweep {
 
@@ -43,13 +43,13 @@ class PowerLawGroup {
   /// At a time within the step just made, counted from its start; the step stays as it is.
   void within(const Real& elapsed, std::span<Real> x, std::span<Real> u);
 
-  const Real& length() const { return length_; }                           ///< duration of the step
-  std::optional<std::size_t> event() const { return event_; }              ///< which contact changes at its end
+  const Real& length() const { return length_; }               ///< duration of the step
+  std::optional<std::size_t> event() const { return event_; }  ///< which contact changes at its end
   /// Largest overlap of a closed contact in the step just made, if above `known`; else `known`. Before finish().
   Real deepest(const Real& known);
   /// From the step's start to where finish() or within() was asked for last.
   PlateWork plate_work() const requires(Ground::moves) { return done_; }
-  std::uint64_t work() const { return work_; }                             ///< contacts times trial steps so far
+  std::uint64_t work() const { return work_; }  ///< contacts times trial steps so far
 
  private:
   /// n overlaps, n rates; in the leader's place the time since the step's start. On a plate its two works after these.
@@ -95,7 +95,7 @@ class PowerLawGroup {
   std::vector<Real> at_start_;  ///< overlaps, the leader's too
   State scratch_, start_, end_, start_slope_, end_slope_;
   std::size_t leader_ = none, banned_ = none;
-  Real from_{}, span_{};       ///< of the independent variable
+  Real from_{}, span_{};  ///< of the independent variable
   Real next_time_span_{}, next_s_span_{};
   Real length_{};
   std::optional<std::size_t> event_;

@@ -8,9 +8,8 @@ namespace sigmasweep {
 
 /// The plate's load on contact 0, the power of the plate and that lost in dashpots.
 template <class Real, class Ground>
-void PowerLawGroup<Real, Ground>::drive(State& dy, const Real* x, const Real* u, const Real& elapsed)
-  requires(Ground::moves)
-{
+void PowerLawGroup<Real, Ground>::drive(State& dy, const Real* x, const Real* u,
+                                        const Real& elapsed) requires(Ground::moves) {
   Real& power_in = dy[2 * n_];
   Real& power_lost = dy[2 * n_ + 1];
   power_in = power_lost = Real(0);

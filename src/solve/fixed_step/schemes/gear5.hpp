@@ -18,8 +18,13 @@ template <class Chain>
 class Gear5 {
  public:
   explicit Gear5(const Chain& chain)
-      : chain_(chain), r_{chain.x,               chain.u,               Lanes(chain.components()),
-                          Lanes(chain.components()), Lanes(chain.components()), Lanes(chain.components())},
+      : chain_(chain),
+        r_{chain.x,
+           chain.u,
+           Lanes(chain.components()),
+           Lanes(chain.components()),
+           Lanes(chain.components()),
+           Lanes(chain.components())},
         F_(chain.components()) {
     if constexpr (Chain::driven) {
       const Lanes a = chain.first_acceleration();

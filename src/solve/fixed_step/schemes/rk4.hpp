@@ -12,7 +12,12 @@ template <class Chain>
 class RungeKutta4 {
  public:
   explicit RungeKutta4(const Chain& chain)
-      : chain_(chain), x_(chain.x), u_(chain.u), xs_(chain.x), us_(chain.components()), F_(chain.components()),
+      : chain_(chain),
+        x_(chain.x),
+        u_(chain.u),
+        xs_(chain.x),
+        us_(chain.components()),
+        F_(chain.components()),
         a_{Lanes(chain.components()), Lanes(chain.components()), Lanes(chain.components())} {}
 
   const double* x() const { return x_.data(); }

@@ -12,7 +12,12 @@ template <class Chain>
 class Verlet {
  public:
   explicit Verlet(const Chain& chain)
-      : chain_(chain), x_(chain.x), u_(chain.u), a_(chain.components()), predicted_(chain.components()), F_(chain.components()) {
+      : chain_(chain),
+        x_(chain.x),
+        u_(chain.u),
+        a_(chain.components()),
+        predicted_(chain.components()),
+        F_(chain.components()) {
     if constexpr (Chain::driven) a_ = chain.first_acceleration();
   }
 

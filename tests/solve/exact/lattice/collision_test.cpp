@@ -226,7 +226,8 @@ TEST(Lattice, KnowsItsOverlapsAndContactTimes) {
     EXPECT_NEAR(lattice_collision(lattice, {.accuracy = 1e-9}).x_max, steps.x_max, 1e-3 * steps.x_max) << sigma;
   }
   const auto row = reduced_lattice<double>(parameters(1, 5, 0.9, 1.0));
-  const double L = -std::log(0.9), pi = std::numbers::pi, t_wall = pi * std::sqrt(2.0) / std::sqrt(pi * pi + L * L / 2.0);
+  const double L = -std::log(0.9), pi = std::numbers::pi,
+               t_wall = pi * std::sqrt(2.0) / std::sqrt(pi * pi + L * L / 2.0);
   const auto outcome = lattice_collision(row, {.accuracy = 1e-12});
   EXPECT_NEAR(outcome.t_k, t_wall, 1e-9);
   EXPECT_NEAR(outcome.contact_time, 5.0 * t_wall, 1e-8);

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/quad.hpp"
-#include "solve/exact/linear/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/exact/linear/collision.hpp"
 #include "support/reference_values.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/quad.hpp"
-#include "solve/exact/linear/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/exact/linear/collision.hpp"
 #include "support/error_bars.hpp"
 #include "support/random.hpp"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"
-#include "sigmasweep/solve/simulate.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <ctime>
 
 #include "base/quad.hpp"
-#include "solve/exact/linear/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/exact/linear/collision.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <vector>
 
-#include "solve/piecewise_linear.hpp"
 #include "base/quad.hpp"
-#include "solve/exact/linear/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/exact/linear/collision.hpp"
+#include "solve/piecewise_linear.hpp"
 
 namespace {
 

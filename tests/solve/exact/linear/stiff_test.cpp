@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "solve/piecewise_linear.hpp"
-#include "solve/exact/linear/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/exact/linear/collision.hpp"
+#include "solve/piecewise_linear.hpp"
 #include "support/soft_column.hpp"
 
 namespace {

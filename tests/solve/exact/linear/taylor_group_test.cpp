@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "base/quad.hpp"
 #include "assembly/column.hpp"
+#include "base/quad.hpp"
 
 namespace {
 

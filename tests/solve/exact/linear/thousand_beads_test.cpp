@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "sigmasweep/solve/simulate.hpp"
 #include "solve/books.hpp"
 #include "solve/exact/linear/collision.hpp"
-#include "sigmasweep/solve/simulate.hpp"
 
 namespace {
 
@@ -78,7 +78,9 @@ TEST(ThousandBeads, HardOnesGiveAResult) {
       EXPECT_EQ(c.contacts, 500'500u);  // N (N + 1)/2
       EXPECT_NEAR(c.eps_eff, 1.0, c.eps_eff_error);
     }
-    if (epsilon == 0.5) { EXPECT_EQ(c.status, Status::collapsed); }
+    if (epsilon == 0.5) {
+      EXPECT_EQ(c.status, Status::collapsed);
+    }
   }
 }
 

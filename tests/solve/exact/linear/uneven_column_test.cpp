@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "solve/piecewise_linear.hpp"
 #include "base/quad.hpp"
-#include "solve/exact/linear/collision.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/exact/linear/collision.hpp"
+#include "solve/piecewise_linear.hpp"
 #include "support/error_bars.hpp"
 #include "support/random.hpp"
 #include "support/soft_column.hpp"
@@ -125,7 +125,7 @@ TEST(UnevenColumn, TheErrorBarHolds) {
   ErrorBars bars;
   for (int i = 0; i < 250; ++i) {
     Parameters p = soft_column(std::int64_t(std::exp(random(0.0, std::log(26.0)))), random(0.1, 1.0),
-                         random(0.0, 1.0) < 0.1 ? 0.0 : std::pow(10.0, random(-6.0, 4.0)));
+                               random(0.0, 1.0) < 0.1 ? 0.0 : std::pow(10.0, random(-6.0, 4.0)));
     p.seed = i;
     p.width = p.d * (i % 10 == 0 ? 1.9 : random(0.0, 0.5));
     p.random_separation = i % 2 == 0 ? Flag::yes : Flag::no;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"
-#include "sigmasweep/solve/simulate.hpp"
 #include "support/error_bars.hpp"
 #include "support/random.hpp"
 
@@ -54,23 +54,37 @@ void expect(const Reference& r, const Parameters& p) {
 
 // Runge-Kutta 5(4) at 1e-12, its uncertainty by comparison with 1e-10; K and D_n over the bead mass there.
 TEST(Nonlinear, AgreesWithAnIndependentIntegrationOfHertz) {
-  for (const Reference& r : {Reference{1, 0.924199893084, 8e-9}, {2, 0.932756002156, 3e-9}, {5, 0.935321493987, 2e-9},
-                             {10, 0.927916594539, 1e-9}, {20, 0.912776719987, 2e-9}, {50, 0.897248356162, 2e-10},
-                             {100, 0.894818393175, 3e-10}, {200, 0.894294629277, 2e-10}})
+  for (const Reference& r : {Reference{1, 0.924199893084, 8e-9},
+                             {2, 0.932756002156, 3e-9},
+                             {5, 0.935321493987, 2e-9},
+                             {10, 0.927916594539, 1e-9},
+                             {20, 0.912776719987, 2e-9},
+                             {50, 0.897248356162, 2e-10},
+                             {100, 0.894818393175, 3e-10},
+                             {200, 0.894294629277, 2e-10}})
     expect(r, fig3(Law::hertz, 4e12, 2e3, r.N));
 }
 
 // The same with both over the reduced mass.
 TEST(Nonlinear, AgreesWithAnIndependentIntegrationOfWeakerHertz) {
-  for (const Reference& r : {Reference{1, 0.949462533243, 2e-8}, {2, 0.954287329125, 3e-9}, {5, 0.954218339474, 6e-9},
-                             {10, 0.945477917148, 8e-10}, {20, 0.927650467246, 7e-10}, {50, 0.903374294488, 7e-10},
-                             {100, 0.896946617058, 4e-10}, {200, 0.895355986756, 2e-10}})
+  for (const Reference& r : {Reference{1, 0.949462533243, 2e-8},
+                             {2, 0.954287329125, 3e-9},
+                             {5, 0.954218339474, 6e-9},
+                             {10, 0.945477917148, 8e-10},
+                             {20, 0.927650467246, 7e-10},
+                             {50, 0.903374294488, 7e-10},
+                             {100, 0.896946617058, 4e-10},
+                             {200, 0.895355986756, 2e-10}})
     expect(r, fig3(Law::hertz, 2e12, 1e3, r.N));
 }
 
 TEST(Nonlinear, TheLinearLawByItsConstantsAgreesToo) {
-  for (const Reference& r : {Reference{1, 0.924265096433, 5e-10}, {2, 0.942003112172, 6e-10}, {5, 0.957156306910, 3e-9},
-                             {10, 0.965121738232, 2e-9}, {20, 0.972136095487, 4e-10}, {100, 0.984846612989, 2e-10}})
+  for (const Reference& r : {Reference{1, 0.924265096433, 5e-10},
+                             {2, 0.942003112172, 6e-10},
+                             {5, 0.957156306910, 3e-9},
+                             {10, 0.965121738232, 2e-9},
+                             {20, 0.972136095487, 4e-10},
+                             {100, 0.984846612989, 2e-10}})
     expect(r, fig3(Law::hooke, 2e9, 0.5 * 3.17e3, r.N));
   for (const Reference& r :
        {Reference{1, 0.945841378575, 8e-9}, {10, 0.973906434625, 2e-9}, {50, 0.984365502578, 4e-10}})
@@ -103,8 +117,13 @@ TEST(Nonlinear, ASingleBeadIsAPairCollision) {
     Law law;
     double beta, gamma;
   };
-  for (const Case& x : {Case{Law::hertz, 0, 0}, {Law::hertz_kuwabara_kono, 0, 0}, {Law::taguchi, 0, 0},
-                        {Law::power, 0.0, 0.2}, {Law::power, 0.3, 0.7}, {Law::power, 1.0, 0.0}, {Law::power, 1.5, 1.5}})
+  for (const Case& x : {Case{Law::hertz, 0, 0},
+                        {Law::hertz_kuwabara_kono, 0, 0},
+                        {Law::taguchi, 0, 0},
+                        {Law::power, 0.0, 0.2},
+                        {Law::power, 0.3, 0.7},
+                        {Law::power, 1.0, 0.0},
+                        {Law::power, 1.5, 1.5}})
     for (const double epsilon : {0.99, 0.9, 0.6, 0.2}) {
       const Parameters p = touching_pair(x.law, x.beta, x.gamma, epsilon);
       const Exponents e = exponents(p);
