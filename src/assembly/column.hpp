@@ -68,7 +68,7 @@ struct Outcome {
 /// The ratios that a set of final velocities means. Masses as in Column: empty where all are 1.
 template <class Real>
 struct Energies {
-  Real eps_eff{}, Er_Ef{}, Er_E0{}, v_cm{};  ///< as in Collision; v_cm over the initial speed
+  Real eps_eff{}, Er_Ef{}, Er_E0{}, v_cm{};  ///< as in SimulationResult; v_cm over the initial speed
 };
 template <class Real>
 Energies<Real> energies(std::span<const Real> velocity, Real speed, std::span<const Real> mass = {});

@@ -97,7 +97,7 @@ struct LatticeOptions {
   /// Beads and contacts moved in stages of steps; 0: 1e10 + 2e7 N, some minutes. With fixed steps beads times steps;
   /// 1e10.
   std::uint64_t work_limit = 0;
-  Patience* patience = nullptr;
+  ComputeBudget* budget = nullptr;
 };
 
 /// The default integrator: beads in no contact fly, clusters of beads that touch are moved by DOP853 each on its own,
@@ -114,6 +114,6 @@ LatticeOutcome<double> fixed_step_lattice_collision(const Lattice<double>& latti
                                                     const LatticeOptions& options = {});
 
 /// The tuple's collision with an error bar.
-Collision simulate_lattice(const Parameters& parameters, Patience* patience = nullptr);
+SimulationResult simulate_lattice(const Parameters& parameters, ComputeBudget* budget = nullptr);
 
 }  // namespace sigmasweep

@@ -12,7 +12,7 @@ constexpr auto between_questions = std::chrono::milliseconds(20);
 
 }  // namespace
 
-Patience::Patience(double limit, std::function<bool()> stop)
+ComputeBudget::ComputeBudget(double limit, std::function<bool()> stop)
     : left_(work_between_looks),
       limit_(limit),
       cpu_start_(thread_seconds()),
@@ -20,7 +20,7 @@ Patience::Patience(double limit, std::function<bool()> stop)
       next_question_(start_ + between_questions),
       stop_(std::move(stop)) {}
 
-bool Patience::look() {
+bool ComputeBudget::look() {
   if (was_over()) return true;
   left_ = work_between_looks;
   const auto now = Clock::now();

@@ -61,7 +61,7 @@ int stability_on_all_ranks(int& argc, char**& argv, const StabilityOptions& opti
 }
 
 int merge_on_one_rank(int& argc, char**& argv, const MergeOptions& options) {
-  return on_all_ranks(argc, argv, [&](World& world) { return on_manager(world, [&] { return merge(options); }); });
+  return on_all_ranks(argc, argv, [&](World& world) { return run_on_root(world, [&] { return merge(options); }); });
 }
 
 }  // namespace sigmasweep

@@ -29,7 +29,7 @@ void Deadline::update_factor() {
   }
 }
 
-double Deadline::most_seconds() const { return std::chrono::duration<double>(end_ - Clock::now()).count() / factor(); }
+double Deadline::max_seconds() const { return std::chrono::duration<double>(end_ - Clock::now()).count() / factor(); }
 
 double time_for_the_end(double seconds, double table_bytes) {
   constexpr double bytes_per_second = 20e6;

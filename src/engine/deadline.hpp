@@ -19,7 +19,7 @@ class Deadline {
 
   void learn(const Timing& row);
   /// Longest predicted time, s, of what can be begun now; negative when time is up.
-  double most_seconds() const;
+  double max_seconds() const;
   double factor() const { return factor_ * crowding_; }
 
  private:

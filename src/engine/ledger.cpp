@@ -151,7 +151,7 @@ void Ledger::keep(const Row& row) {
 }
 
 void Ledger::keep_or_retry(const Row& row) {
-  if (!retry_ || is_reproducible(row.collision.status))
+  if (!retry_ || is_reproducible(row.result.status))
     keep(row);
   else
     attempts_[row.index] = row.timing.attempt;
@@ -178,8 +178,8 @@ bool Ledger::has(std::uint64_t row) const {
 
 void Ledger::quarantine(const Tuple& tuple) {
   if (!slice_.place(tuple.index)) return;
-  Row row{.index = tuple.index, .parameters = tuple.parameters, .collision = {}, .timing = {}};
-  row.collision.status = Status::quarantined;
+  Row row{.index = tuple.index, .parameters = tuple.parameters, .result = {}, .timing = {}};
+  row.result.status = Status::quarantined;
   enter(row);
   ++kept_;
 }

@@ -11,7 +11,7 @@ std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const 
   std::unordered_map<std::uint64_t, const Row*> known;
   known.reserve(old.size());
   for (const Row& row : old)
-    if (is_reproducible(row.collision.status)) known.emplace(content_key(row.parameters), &row);
+    if (is_reproducible(row.result.status)) known.emplace(content_key(row.parameters), &row);
   std::vector<Row> rows;
   for (std::uint64_t k = 0; k < slice.size(sweep.size()); ++k) {
     Row row;
@@ -19,7 +19,7 @@ std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const 
     row.parameters = sweep.at(row.index);
     const auto found = known.find(content_key(row.parameters));
     if (found == known.end()) continue;
-    row.collision = found->second->collision;
+    row.result = found->second->result;
     row.timing = found->second->timing;
     rows.push_back(row);
   }

@@ -62,7 +62,7 @@ class Run {
       if (const int code = write(); code != success) return code;
     }
     if (const int code = film(); code != success) return code;
-    return on_manager(world_, [this] { return finish(); });
+    return run_on_root(world_, [this] { return finish(); });
   }
 
  private:
@@ -88,7 +88,7 @@ class Run {
   const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   const std::string table_, start_ = utc_now();
   std::optional<Sweep> sweep_;
-  std::optional<InFlight> in_flight_;
+  std::optional<CrashNotes> crash_notes_;
   // the manager's:
   std::optional<Ledger> ledger_;
   std::optional<Deadline> deadline_;
@@ -99,7 +99,7 @@ class Run {
 };
 
 int Run::begin() {
-  const int code = on_manager(world_, [this] {
+  const int code = run_on_root(world_, [this] {
     sweep_ = Sweep::load(options_.spec);
     if (!options_.fresh) require_own_trajectories(*sweep_, table_);
     ledger_.emplace(*sweep_, table_,
@@ -123,7 +123,7 @@ int Run::begin() {
 int Run::keep_time() {
   constexpr double forever = std::numeric_limits<double>::infinity();
   double seconds = forever;
-  const int code = on_manager(world_, [&] {
+  const int code = run_on_root(world_, [&] {
     const SlurmJob job = ask_slurm();
     if (!job.warning.empty()) std::fputs(fmt::format("sigmasweep: {}\n", job.warning).c_str(), stderr);
     const double left = options_.max_seconds.value_or(forever) - seconds_since(begun_);
@@ -147,11 +147,11 @@ int Run::keep_time() {
 /// From here on what a run dies of can be known to the next one; and rows of which that is known are not tried again.
 int Run::keep_notes() {
   constexpr std::uint64_t too_much = 4;  // two runs that died of this row, for all that is known
-  InFlightIdentity identity{sweep_->hash(), sweep_->size(), std::random_device{}()};
+  CrashNotesIdentity identity{sweep_->hash(), sweep_->size(), std::random_device{}()};
   identity.run = static_cast<std::uint64_t>(world_.broadcast(static_cast<std::int64_t>(identity.run)));
   const bool forget = options_.fresh || options_.retry;
-  const int code = on_manager(world_, [&] {
-    for (const auto& [row, blame] : begin_in_flight(table_, identity, world_.size(), forget)) {
+  const int code = run_on_root(world_, [&] {
+    for (const auto& [row, blame] : begin_crash_notes(table_, identity, world_.size(), forget)) {
       if (blame < too_much || ledger_->has(row)) continue;
       ledger_->quarantine({row, sweep_->at(row)});
       say(fmt::format("sigmasweep: row {} is left out, processes died while they computed it (--retry tries again)\n",
@@ -162,7 +162,7 @@ int Run::keep_notes() {
   if (code != success) return code;
   try {
     together(static_cast<MPI_Comm>(world_.native()), [&] {
-      in_flight_.emplace(table_, identity, world_.rank());
+      crash_notes_.emplace(table_, identity, world_.rank());
       return std::uint64_t{0};
     });
   } catch (const Error& error) {  // the same on all ranks; the manager's is enough
@@ -188,7 +188,7 @@ Schedule Run::schedule() const {
 
 int Run::compute() {
   std::optional<Schedule> to_do;
-  const int ready = on_manager(world_, [&] {
+  const int ready = run_on_root(world_, [&] {
     if (const std::string warning = stability_warning(*sweep_); !warning.empty())
       say(fmt::format("sigmasweep: {}\n", warning));
     to_do.emplace(schedule());
@@ -200,26 +200,26 @@ int Run::compute() {
   Job job;
   job.tuple = [this](std::uint64_t row) { return sweep_->at(row); };
   job.compute = [this](const Tuple& tuple, const std::function<bool()>& to_end) {
-    in_flight_->begin(tuple.index);
+    crash_notes_->begin(tuple.index);
     const auto row = compute_row(tuple, world_.rank(), sweep_->tuple_time_limit(), to_end);
-    in_flight_->end();
+    crash_notes_->end();
     return row;
   };
   job.finished = [this](const Row& row) { take(row); };
   job.stop = [this] {
     if (progress_) progress_->add(0, 0.0);
-    if (stop_.made()) in_flight_->excuse();
+    if (stop_.made()) crash_notes_->absolve();
     return trouble_ || stop_.made();
   };
-  if (deadline_) job.most_seconds = [this] { return deadline_->most_seconds(); };
+  if (deadline_) job.max_seconds = [this] { return deadline_->max_seconds(); };
   job.manager_computes = manager_computes();
   const auto start = std::chrono::steady_clock::now();
   distribute(world_, to_do ? &*to_do : nullptr, job);
   wall_seconds_ = seconds_since(start);
 
-  return on_manager(world_, [this] {
+  return run_on_root(world_, [this] {
     progress_->finish();
-    end_in_flight(table_, ledger_->is_complete());
+    end_crash_notes(table_, ledger_->is_complete());
     if (trouble_) std::rethrow_exception(trouble_);
     ledger_->sync();
     if (ledger_->is_complete()) return success;
@@ -260,7 +260,7 @@ int Run::write() {
 
 /// Trajectories, if the spec wants some. The table is there, and a stop or an error from here on leaves it alone.
 int Run::film() {
-  const int closed = on_manager(world_, [this] { return ledger_->close(), success; });
+  const int closed = run_on_root(world_, [this] { return ledger_->close(), success; });
   if (closed != success || !sweep_->trajectory() || !options_.slice.is_whole()) return closed;
   Films films;
   try {
@@ -269,7 +269,7 @@ int Run::film() {
     if (world_.is_manager()) throw;
     return error.exit_code();
   }
-  return on_manager(world_, [&] {
+  return run_on_root(world_, [&] {
     const std::string where = trajectory_directory(table_);
     if (films.there == films.wanted) {
       say(fmt::format("sigmasweep: {} trajectories in {}\n", films.there, where));
@@ -286,7 +286,7 @@ int Run::film() {
 int Run::finish() {
   say(fmt::format("{}: {}", table_, summary(ledger_->rows(), work_, world_.size(), wall_seconds_)));
   const bool fine = std::all_of(ledger_->rows().begin(), ledger_->rows().end(),
-                                [](const Row& row) { return is_success(row.collision.status); });
+                                [](const Row& row) { return is_success(row.result.status); });
   return fine ? success : some_rows_failed;
 }
 

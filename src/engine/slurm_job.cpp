@@ -24,7 +24,7 @@ namespace sigmasweep {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto patience = std::chrono::seconds(10);
+constexpr auto budget = std::chrono::seconds(10);
 
 /// Reads until the other end is closed or the time is up; nothing if it is.
 std::optional<std::string> read_all(int fd, Clock::time_point end) {
@@ -75,7 +75,7 @@ std::optional<std::string> output_of(std::vector<std::string> words) {
   ::close(pipe_ends[1]);
   std::optional<std::string> text;
   if (error == 0) {
-    const auto end = Clock::now() + patience;
+    const auto end = Clock::now() + budget;
     text = read_all(pipe_ends[0], end);
     const int status = end_of(child, text ? end : Clock::now());
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) text.reset();

@@ -49,7 +49,7 @@ std::string why_other_build(const TableInfo& info) {
 std::string rows_by_status(std::span<const Row> rows) {
   const auto names = names_of<Status>();
   std::vector<std::uint64_t> counts(names.size());
-  for (const Row& row : rows) ++counts.at(static_cast<std::size_t>(row.collision.status));
+  for (const Row& row : rows) ++counts.at(static_cast<std::size_t>(row.result.status));
   std::string text;
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (counts[i] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", names[i], counts[i]);
@@ -60,14 +60,14 @@ std::string repeat_command(const Row& row) {
   // Both of s0 and sigma are stored, and both of alpha and A0; give the one that the other follows from to the bit.
   Parameters p = row.parameters;
   p.A0 = 0.0;
-  give_gap(p, Gap::s0);
-  give_plate(p);
+  derive_gap(p, GapParameter::s0);
+  derive_plate_motion(p);
   const bool from_s0 = p.sigma == row.parameters.sigma, from_alpha = p.A0 == row.parameters.A0;
   const Row defaults;
   std::string command = "sigmasweep one";
   for (const Field& field : parameter_fields()) {
     if (field.name == (from_s0 ? "sigma" : "s0") || field.name == (from_alpha ? "A0" : "alpha")) continue;
-    if (!is_used(field, row.parameters)) continue;
+    if (!applies_to(field, row.parameters)) continue;
     static constexpr auto always =
         std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "rows", "epsilon", "beta", "gamma"});
     const bool needed = std::find(always.begin(), always.end(), field.name) != always.end();

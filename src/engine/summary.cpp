@@ -58,9 +58,9 @@ std::string quantile_line(const char* what, std::vector<double> values, Format f
 std::string quantiles(std::span<const Row> rows) {
   std::vector<double> errors, height_errors, imbalances, times;
   for (const Row& row : rows) {
-    errors.push_back(row.collision.eps_eff_error);
-    height_errors.push_back(row.collision.vibration.h_cm_error);
-    imbalances.push_back(std::abs(row.collision.vibration.imbalance));
+    errors.push_back(row.result.eps_eff_error);
+    height_errors.push_back(row.result.vibration.h_cm_error);
+    imbalances.push_back(std::abs(row.result.vibration.imbalance));
     times.push_back(row.timing.run_time);
   }
   const auto scientific = [](double value) { return fmt::format("{:.1e}", value); };
@@ -74,7 +74,7 @@ std::string quantiles(std::span<const Row> rows) {
 std::string by_status(std::span<const Row> rows) {
   const auto names = names_of<Status>();
   std::vector<std::uint64_t> counts(names.size());
-  for (const Row& row : rows) ++counts[static_cast<std::size_t>(row.collision.status)];
+  for (const Row& row : rows) ++counts[static_cast<std::size_t>(row.result.status)];
   std::string lines = fmt::format("{} row{}\n", rows.size(), rows.size() == 1 ? "" : "s");
   for (std::size_t i = 0; i < names.size(); ++i)
     if (counts[i] > 0) lines += fmt::format("  {:<17}{:>9}\n", names[i], counts[i]);
@@ -101,7 +101,7 @@ std::string universal(const Universality& found) {
 Universality universality(std::span<const Row> rows) {
   std::vector<const Row*> sorted;
   for (const Row& row : rows)
-    if (is_success(row.collision.status) && std::isfinite(row.collision.eps_eff)) sorted.push_back(&row);
+    if (is_success(row.result.status) && std::isfinite(row.result.eps_eff)) sorted.push_back(&row);
   std::sort(sorted.begin(), sorted.end(), [](const Row* a, const Row* b) {
     return std::tuple_cat(kind(a->parameters), std::tuple(a->parameters.sigma)) <
            std::tuple_cat(kind(b->parameters), std::tuple(b->parameters.sigma));
@@ -116,8 +116,8 @@ Universality universality(std::span<const Row> rows) {
     if (other_scales) {
       ++result.groups;
       const auto [least, most] = std::minmax_element(
-          begin, end, [](const Row* a, const Row* b) { return a->collision.eps_eff < b->collision.eps_eff; });
-      const double spread = (*most)->collision.eps_eff - (*least)->collision.eps_eff;
+          begin, end, [](const Row* a, const Row* b) { return a->result.eps_eff < b->result.eps_eff; });
+      const double spread = (*most)->result.eps_eff - (*least)->result.eps_eff;
       if (spread >= result.spread) result.spread = spread, result.sigma = (*begin)->parameters.sigma;
     }
     begin = end;

@@ -43,7 +43,7 @@ void remove_files(const std::string& directory) {
 }
 
 double duration_of(const TrajectorySpec& spec, const Row& row) {
-  return spec.duration > 0.0 ? spec.duration : show_time(row.parameters, row.collision);
+  return spec.duration > 0.0 ? spec.duration : show_time(row.parameters, row.result);
 }
 
 /// The rows to film in the order in which World::scatter deals them out: rank r gets every size-th from r on.
@@ -51,7 +51,7 @@ std::vector<Row> dealt(const Sweep& sweep, const std::vector<Row>& rows, int ran
   std::vector<Row> chosen, in_turns;
   for (const std::uint64_t row : sweep.trajectory()->rows) {
     const Parameters parameters = sweep.at(row);  // a table that was read back has only those that are columns
-    if (!std::isfinite(show_time(parameters, rows[row].collision))) continue;  // no result, nothing to see
+    if (!std::isfinite(show_time(parameters, rows[row].result))) continue;  // no result, nothing to see
     chosen.push_back(rows[row]);
     chosen.back().index = row;
     chosen.back().parameters = parameters;

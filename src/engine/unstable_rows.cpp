@@ -18,10 +18,10 @@
 namespace sigmasweep {
 namespace {
 
-constexpr std::uint64_t most_rows = 1'000'000;
+constexpr std::uint64_t max_rows = 1'000'000;
 /// A second or two each; what is beyond counts as stable. Dashpots of laws that are not linear take up to 0.1 s to
 /// find, and so do the modes of a lattice of unequal beads.
-constexpr std::size_t most_kinds = 20'000, most_slow_kinds = 30;
+constexpr std::size_t max_kinds = 20'000, max_slow_kinds = 30;
 
 /// What stability depends on beside integrator and step: of equal beads neither v0 nor s0.
 auto kind(const Parameters& p) {
@@ -40,16 +40,16 @@ class Kinds {
   const ClosedContacts* find(const Parameters& p) {
     const auto key = kind(p);
     if (const auto known = known_.find(key); known != known_.end()) return &known->second;
-    if (known_.size() >= most_kinds || !has_time_for(p)) return nullptr;
+    if (known_.size() >= max_kinds || !has_time_for(p)) return nullptr;
     return &known_.try_emplace(key, closed_contacts(p)).first->second;
   }
 
  private:
   bool has_time_for(const Parameters& p) {
-    if (is_lattice(p) && p.width > 0.0 && ++slow_lattices_ > most_slow_kinds) return false;
+    if (is_lattice(p) && p.width > 0.0 && ++slow_lattices_ > max_slow_kinds) return false;
     const auto [beta, gamma] = exponents(p);
     if (exponents(p).linear() || p.K_over_m > 0.0) return true;
-    if (slow_dashpots_.size() < most_slow_kinds) slow_dashpots_.insert({beta, gamma, p.epsilon});
+    if (slow_dashpots_.size() < max_slow_kinds) slow_dashpots_.insert({beta, gamma, p.epsilon});
     return slow_dashpots_.contains({beta, gamma, p.epsilon});
   }
 
@@ -71,7 +71,7 @@ std::string stability_warning(const Sweep& sweep) {
   Kinds kinds;
   std::map<std::tuple<const ClosedContacts*, Integrator, double>, bool> stable;
   std::map<std::pair<Integrator, double>, Unstable> unstable;
-  const std::uint64_t looked_at = std::min(sweep.size(), most_rows), stride = sweep.size() / looked_at;
+  const std::uint64_t looked_at = std::min(sweep.size(), max_rows), stride = sweep.size() / looked_at;
   std::uint64_t all = 0;
   for (std::uint64_t k = 0; k < looked_at; ++k) {
     const Parameters p = sweep.at(k * stride);

@@ -52,7 +52,7 @@ constexpr FieldType type_of() {
 #define SIGMASWEEP_FIELD(part, member, unit, meaning) \
   Field { #member, unit, meaning, type_of < decltype(Row::part.member)>(), offsetof(Row, part.member) }
 #define SIGMASWEEP_VIBRATION(member, unit, meaning) \
-  Field { #member, unit, meaning, FieldType::real, offsetof(Row, collision.vibration.member) }
+  Field { #member, unit, meaning, FieldType::real, offsetof(Row, result.vibration.member) }
 
 constexpr std::array parameters{
     SIGMASWEEP_FIELD(parameters, v0, "m/s", "approach speed; vibrated: at which tc and epsilon hold if nonlinear"),
@@ -93,14 +93,14 @@ constexpr std::array parameters{
 };
 
 constexpr std::array results{
-    SIGMASWEEP_FIELD(collision, eps_eff, "1", "effective restitution sqrt(E_f/E_0)"),
-    SIGMASWEEP_FIELD(collision, eps_eff_error, "1", "estimate of the absolute error of eps_eff"),
-    SIGMASWEEP_FIELD(collision, Er_Ef, "1", "final energy relative to the centre of mass over final energy"),
-    SIGMASWEEP_FIELD(collision, Er_E0, "1", "final energy relative to the centre of mass over initial energy"),
-    SIGMASWEEP_FIELD(collision, v_cm, "1", "final velocity of the centre of mass over v0"),
-    SIGMASWEEP_FIELD(collision, t_k, "s", "time from the first to the last contact with the wall"),
-    SIGMASWEEP_FIELD(collision, x_max, "m", "largest overlap of any contact"),
-    SIGMASWEEP_FIELD(collision, predicted_growth, "1",
+    SIGMASWEEP_FIELD(result, eps_eff, "1", "effective restitution sqrt(E_f/E_0)"),
+    SIGMASWEEP_FIELD(result, eps_eff_error, "1", "estimate of the absolute error of eps_eff"),
+    SIGMASWEEP_FIELD(result, Er_Ef, "1", "final energy relative to the centre of mass over final energy"),
+    SIGMASWEEP_FIELD(result, Er_E0, "1", "final energy relative to the centre of mass over initial energy"),
+    SIGMASWEEP_FIELD(result, v_cm, "1", "final velocity of the centre of mass over v0"),
+    SIGMASWEEP_FIELD(result, t_k, "s", "time from the first to the last contact with the wall"),
+    SIGMASWEEP_FIELD(result, x_max, "m", "largest overlap of any contact"),
+    SIGMASWEEP_FIELD(result, predicted_growth, "1",
                      "fixed steps: of the least stable mode in N tc (lattice: rows tc), by theory"),
     SIGMASWEEP_VIBRATION(h_cm, "m", "mean height of the centre of mass above the plate's middle"),
     SIGMASWEEP_VIBRATION(h_cm_error, "m", "standard error of h_cm, by block averages"),
@@ -113,9 +113,9 @@ constexpr std::array results{
     SIGMASWEEP_VIBRATION(power_lost, "W/kg", "mean power lost in contacts, over the mass"),
     SIGMASWEEP_VIBRATION(imbalance, "1",
                          "work in less work lost and gain of energy, over max(work in, weight x plate's path)"),
-    SIGMASWEEP_FIELD(collision, contacts, "1", "contacts closed and opened again; for hard spheres collisions"),
-    SIGMASWEEP_FIELD(collision, end, "1", "why the collision was considered over; periods: all that were asked for"),
-    SIGMASWEEP_FIELD(collision, status, "1", "whether the row holds what was asked for"),
+    SIGMASWEEP_FIELD(result, contacts, "1", "contacts closed and opened again; for hard spheres collisions"),
+    SIGMASWEEP_FIELD(result, end, "1", "why the collision was considered over; periods: all that were asked for"),
+    SIGMASWEEP_FIELD(result, status, "1", "whether the row holds what was asked for"),
 };
 
 constexpr std::array timings{

@@ -15,7 +15,7 @@ namespace sigmasweep {
 namespace {
 
 constexpr std::int64_t max_beads = 1'000'000, max_periods = 10'000'000;
-constexpr double max_alpha = 1e6, most_flight = 1e9;
+constexpr double max_alpha = 1e6, max_flight = 1e9;
 
 std::string refuse(std::string_view name, double value, std::string_view allowed) {
   return fmt::format("{} = {} is not allowed: it must be {}.", name, value, allowed);
@@ -48,11 +48,11 @@ std::string why_lattice_invalid(const Parameters& p) {
   if (p.N != p.rows * p.columns)
     return fmt::format("N = {} is not allowed: a lattice has rows times columns = {}.", p.N, p.rows * p.columns);
   if (p.method == Method::ed) return "method = 'ed' is not allowed for a lattice: hard spheres are for columns.";
-  if (!is_vibrated(p) && p.sigma * static_cast<double>(p.rows) > most_flight)
+  if (!is_vibrated(p) && p.sigma * static_cast<double>(p.rows) > max_flight)
     return fmt::format(
         "sigma = {} is not allowed with rows = {}: positions would lose their digits where sigma rows is "
         "above {}.",
-        p.sigma, p.rows, most_flight);
+        p.sigma, p.rows, max_flight);
   if (!not_negative(p.D_t)) return refuse("D_t", p.D_t, "finite and >= 0 1/s");
   return {};
 }
@@ -67,7 +67,7 @@ double phase(const Parameters& p, double t) {
 
 /// Spring from the elasticity, Sec. III B, dashpot from the restitution at 1 m/s. For the linear law both from the
 /// contact time that Hertz's has at 1 m/s.
-void give_material(Parameters& p) {
+void derive_material(Parameters& p) {
   if (p.material == Material::none) return;
   constexpr double reference_speed = 1.0;
   const Bead& bead = sigmasweep::bead(p.material);
@@ -88,7 +88,7 @@ void give_material(Parameters& p) {
 
 /// tc and epsilon at v0 from K_over_m and D_n. A pair that never comes apart has no contact time: the one without
 /// damping, pi/sqrt(K_over_m), is the unit of time then, as (A2) is for the other laws.
-void give_pair(Parameters& p) {
+void derive_pair(Parameters& p) {
   if (!(p.K_over_m > 0.0)) return;
   const PairLaw law{exponents(p), p.K_over_m, 2.0 * p.D_n};
   const PairCollision pair = collide(law, p.v0);
@@ -102,15 +102,15 @@ void give_pair(Parameters& p) {
 /// One product for both ways: rows with the same s0, v0, tc get the same sigma to the bit. Nothing to divide when
 /// s0 = 0, so that a v0 tc too small for a double does no harm there. A vibrated column has no speed to measure gaps
 /// by.
-void give_gap(Parameters& p, Gap given) {
+void derive_gap(Parameters& p, GapParameter given) {
   const double unit_length = p.v0 * p.tc;
-  if (given == Gap::s0 || is_vibrated(p))
+  if (given == GapParameter::s0 || is_vibrated(p))
     p.sigma = p.s0 == 0.0 ? 0.0 : p.s0 / unit_length;
   else
     p.s0 = p.sigma * unit_length;
 }
 
-void give_plate(Parameters& p) {
+void derive_plate_motion(Parameters& p) {
   if (!is_vibrated(p)) return;
   const double omega = 2.0 * std::numbers::pi * p.frequency, unit = p.gravity / (omega * omega);
   if (!(p.A0 > 0.0))
@@ -124,16 +124,16 @@ double plate_speed(const Parameters& p, double t) {
   return p.A0 * 2.0 * std::numbers::pi * p.frequency * std::cos(phase(p, t));
 }
 
-void give_beads(Parameters& p) {
+void derive_beads(Parameters& p) {
   if (is_lattice(p)) p.N = p.rows * p.columns;
 }
 
-Parameters complete(Parameters parameters, Gap given) {
-  give_beads(parameters);
-  give_material(parameters);
-  give_pair(parameters);
-  give_gap(parameters, given);
-  give_plate(parameters);
+Parameters complete(Parameters parameters, GapParameter given) {
+  derive_beads(parameters);
+  derive_material(parameters);
+  derive_pair(parameters);
+  derive_gap(parameters, given);
+  derive_plate_motion(parameters);
   return parameters;
 }
 

@@ -22,7 +22,7 @@ bool is_linear(const Parameters& p) { return exponents(p).linear(); }
 
 struct Rule {
   std::string_view name;
-  bool (*is_used)(const Parameters&);
+  bool (*applies_to)(const Parameters&);
   std::string_view needs;
 };
 
@@ -102,13 +102,13 @@ const Rule* rule_of(const Field& field) {
 
 }  // namespace
 
-bool is_used(const Field& field, const Parameters& tuple) {
+bool applies_to(const Field& field, const Parameters& tuple) {
   if (const Family* family = family_of(field); family && !family->has(tuple)) return false;
   const Rule* rule = rule_of(field);
-  return rule == nullptr || rule->is_used(tuple);
+  return rule == nullptr || rule->applies_to(tuple);
 }
 
-std::string needed_for(const Field& field) {
+std::string requirement_of(const Field& field) {
   const Rule* rule = rule_of(field);
   std::string needs(rule == nullptr ? std::string_view{} : rule->needs);
   if (const Family* family = family_of(field))

@@ -17,35 +17,35 @@ void check_mpi(int status, const char* what) {
   throw IoError(fmt::format("{}: {}", what, std::string_view(text.data(), static_cast<std::size_t>(length))));
 }
 
-Team::Team(MPI_Comm comm) {
+RankGroup::RankGroup(MPI_Comm comm) {
   check_mpi(MPI_Comm_dup(comm, &comm_), "cannot copy the communicator");
   check_mpi(MPI_Comm_set_errhandler(comm_, MPI_ERRORS_RETURN), "cannot set the error handler");
   check_mpi(MPI_Comm_rank(comm_, &rank_), "cannot get the rank");
   check_mpi(MPI_Comm_size(comm_, &size_), "cannot get the number of ranks");
 }
 
-Team::~Team() { MPI_Comm_free(&comm_); }
+RankGroup::~RankGroup() { MPI_Comm_free(&comm_); }
 
-std::uint64_t Team::sum(std::uint64_t mine) const {
+std::uint64_t RankGroup::sum(std::uint64_t mine) const {
   std::uint64_t all = 0;
   check_mpi(MPI_Allreduce(&mine, &all, 1, MPI_UINT64_T, MPI_SUM, comm_), "cannot add over the ranks");
   return all;
 }
 
-std::uint64_t Team::max(std::uint64_t mine) const {
+std::uint64_t RankGroup::max(std::uint64_t mine) const {
   std::uint64_t all = 0;
   check_mpi(MPI_Allreduce(&mine, &all, 1, MPI_UINT64_T, MPI_MAX, comm_), "cannot compare over the ranks");
   return all;
 }
 
-std::uint64_t Team::broadcast(std::uint64_t number) const {
+std::uint64_t RankGroup::broadcast(std::uint64_t number) const {
   check_mpi(MPI_Bcast(&number, 1, MPI_UINT64_T, 0, comm_), "cannot broadcast");
   return number;
 }
 
-std::string Team::broadcast(std::string text) const { return broadcast_from(0, std::move(text)); }
+std::string RankGroup::broadcast(std::string text) const { return broadcast_from(0, std::move(text)); }
 
-std::string Team::broadcast_from(int root, std::string text) const {
+std::string RankGroup::broadcast_from(int root, std::string text) const {
   std::uint64_t size = text.size();
   check_mpi(MPI_Bcast(&size, 1, MPI_UINT64_T, root, comm_), "cannot broadcast");
   text.resize(size);
@@ -56,10 +56,10 @@ std::string Team::broadcast_from(int root, std::string text) const {
 /// Until all ranks have come. A rank that failed does not wait for ever: if it left a collective call early, the others
 /// are still in there. To unwind would not help, as closing a file that is open together waits for them too; so here,
 /// and nowhere else in the library, the error is printed and all ranks are ended.
-void Team::wait_for_all(MPI_Request request, int exit_code, const std::string& message) const {
+void RankGroup::wait_for_all(MPI_Request request, int exit_code, const std::string& message) const {
   if (exit_code == 0) return check_mpi(MPI_Wait(&request, MPI_STATUS_IGNORE), "cannot agree");
-  constexpr auto patience = std::chrono::seconds(30);
-  const auto end = std::chrono::steady_clock::now() + patience;
+  constexpr auto budget = std::chrono::seconds(30);
+  const auto end = std::chrono::steady_clock::now() + budget;
   for (int done = 0;;) {
     check_mpi(MPI_Test(&request, &done, MPI_STATUS_IGNORE), "cannot agree");
     if (done) return;
@@ -72,7 +72,7 @@ void Team::wait_for_all(MPI_Request request, int exit_code, const std::string& m
   MPI_Abort(comm_, exit_code);
 }
 
-void Team::agree(int exit_code, std::string message) const {
+void RankGroup::agree(int exit_code, std::string message) const {
   int failed = exit_code == 0 ? size_ : rank_;
   MPI_Request request = MPI_REQUEST_NULL;
   check_mpi(MPI_Iallreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm_, &request), "cannot agree");

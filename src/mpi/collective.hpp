@@ -11,12 +11,12 @@
 namespace sigmasweep {
 
 /// The ranks that write a table together, on a communicator of their own. Every member function is collective.
-class Team {
+class RankGroup {
  public:
-  explicit Team(MPI_Comm comm);
-  ~Team();
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
+  explicit RankGroup(MPI_Comm comm);
+  ~RankGroup();
+  RankGroup(const RankGroup&) = delete;
+  RankGroup& operator=(const RankGroup&) = delete;
   MPI_Comm comm() const { return comm_; }
   int rank() const { return rank_; }
   int size() const { return size_; }

@@ -5,7 +5,7 @@
 namespace sigmasweep {
 
 std::uint64_t together(MPI_Comm comm, const std::function<std::uint64_t()>& step) {
-  const Team team(comm);
+  const RankGroup team(comm);
   std::uint64_t result = 0;
   team.together([&] { result = step(); });
   return team.sum(result);

@@ -12,7 +12,7 @@ namespace sigmasweep {
 /// Does `step`, which returns an exit code, on the manager; all ranks learn how it went. The manager throws what the
 /// step threw, the other ranks return its exit code: nobody is left waiting. Collective.
 template <class Step>
-int on_manager(const World& world, Step step) {
+int run_on_root(const World& world, Step step) {
   std::exception_ptr error;
   int code = exit_code::success;
   if (world.is_manager()) {

@@ -60,7 +60,7 @@ struct Job {
   std::function<void(const Row&)> finished;  ///< on the manager, for each row as it comes in; must not throw
   std::function<bool()> stop;                ///< polled on every rank: hand out nothing more
   /// On the manager: a chunk that is predicted to take more CPU time, s, is not handed out now. Empty: no limit.
-  std::function<double()> most_seconds{};
+  std::function<double()> max_seconds{};
   bool manager_computes = true;
 };
 

@@ -67,7 +67,7 @@ class FirstRoot {
     }
 
    private:
-    using Block = Lanes<Real>;
+    using Block = SimdPack<Real>;
     static constexpr std::size_t blocks = (terms + Block::count - 1) / Block::count;
     std::array<std::array<Block, blocks>, terms> column_;
   };

@@ -49,7 +49,7 @@ std::vector<const Row*> chosen(std::span<const Row> rows, const std::string& whe
 
 bool occurs(const std::vector<const Row*>& rows, Method method) {
   return std::ranges::any_of(
-      rows, [&](const Row* row) { return row->parameters.method == method && is_success(row->collision.status); });
+      rows, [&](const Row* row) { return row->parameters.method == method && is_success(row->result.status); });
 }
 
 /// Fits each series of symbols; the slopes go to the key. Says which could not be.
@@ -157,7 +157,7 @@ Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::str
   for (const Row* row : drawable) {
     const double deviation = error ? (*error)(*row) : 0.0;
     const Point point{x(*row), y(*row), std::isfinite(deviation) ? deviation : 0.0};
-    if (!is_success(row->collision.status))
+    if (!is_success(row->result.status))
       ++dropped.failed;
     else if (!std::isfinite(point.x) || !std::isfinite(point.y))
       ++dropped.not_finite;

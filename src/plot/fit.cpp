@@ -55,7 +55,7 @@ std::optional<Fit> fit(const std::vector<Point>& points, const FitSpec& spec) {
 }
 
 namespace {
-constexpr int most_decimals = 4;  // nobody reads more in a key
+constexpr int max_decimals = 4;  // nobody reads more in a key
 }
 
 std::string with_error(double value, double error) {
@@ -66,8 +66,8 @@ std::string with_error(double value, double error) {
     double power = std::floor(std::log10(error));
     if (error / std::pow(10.0, power) < 2.0) power -= 1.0;  // two digits of an error that begins with 1
     const int decimals = std::max(static_cast<int>(-power), 0);
-    if (decimals > most_decimals)
-      text = fmt::format("{:.{}f}", value, most_decimals);
+    if (decimals > max_decimals)
+      text = fmt::format("{:.{}f}", value, max_decimals);
     else
       text = fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
   }

@@ -13,28 +13,27 @@ namespace sigmasweep {
 
 namespace {
 
-Collision without_result(Status status) {
-  Collision nothing;
+SimulationResult without_result(Status status) {
+  SimulationResult nothing;
   nothing.status = status;
   return nothing;
 }
 
-Collision simulated(const Parameters& parameters, Patience* patience) {
-  if (parameters.geometry == Geometry::lattice) return simulate_lattice(parameters, patience);
-  if (is_vibrated(parameters)) return simulate_vibrated(parameters, patience);
-  if (parameters.method == Method::ed) return simulate_hard_spheres(parameters, patience);
-  if (parameters.integrator != Integrator::exact) return simulate_fixed_step(parameters, patience);
-  return exponents(parameters).linear() ? simulate_exact(parameters, patience)
-                                        : simulate_nonlinear(parameters, patience);
+SimulationResult simulated(const Parameters& parameters, ComputeBudget* budget) {
+  if (parameters.geometry == Geometry::lattice) return simulate_lattice(parameters, budget);
+  if (is_vibrated(parameters)) return simulate_vibrated(parameters, budget);
+  if (parameters.method == Method::ed) return simulate_hard_spheres(parameters, budget);
+  if (parameters.integrator != Integrator::exact) return simulate_fixed_step(parameters, budget);
+  return exponents(parameters).linear() ? simulate_exact(parameters, budget) : simulate_nonlinear(parameters, budget);
 }
 
 }  // namespace
 
-Collision simulate(const Parameters& parameters, Patience* patience) noexcept {
+SimulationResult simulate(const Parameters& parameters, ComputeBudget* budget) noexcept {
   try {
     if (!why_invalid(parameters).empty()) return without_result(Status::failed);
-    const Collision collision = simulated(parameters, patience);
-    return patience && patience->was_over() ? without_result(Status::time_limit) : collision;
+    const SimulationResult collision = simulated(parameters, budget);
+    return budget && budget->was_over() ? without_result(Status::time_limit) : collision;
   } catch (...) {  // memory, most likely
     return without_result(Status::failed);
   }

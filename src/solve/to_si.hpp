@@ -12,8 +12,8 @@ namespace sigmasweep {
 /// What an outcome in reduced units, with the energies that its velocities mean, is for the tuple, but for
 /// eps_eff_error; where there is no result every number is NaN. AnyOutcome: of a column or a lattice.
 template <class AnyOutcome, class Real>
-Collision in_si_with(const Energies<Real>& e, const AnyOutcome& outcome, const Parameters& parameters) {
-  Collision c;
+SimulationResult in_si_with(const Energies<Real>& e, const AnyOutcome& outcome, const Parameters& parameters) {
+  SimulationResult c;
   c.end = outcome.end;
   c.status = outcome.status;
   if (!is_success(outcome.status) && outcome.status != Status::tolerance_missed) return c;
@@ -26,7 +26,7 @@ Collision in_si_with(const Energies<Real>& e, const AnyOutcome& outcome, const P
   c.contacts = outcome.contacts;
   for (const double number : {c.eps_eff, c.Er_Ef, c.Er_E0, c.v_cm, c.t_k, c.x_max})
     if (!std::isfinite(number)) {
-      Collision nothing;
+      SimulationResult nothing;
       nothing.status = Status::non_finite;
       return nothing;
     }
@@ -35,12 +35,13 @@ Collision in_si_with(const Energies<Real>& e, const AnyOutcome& outcome, const P
 
 /// The same of a column; masses as in Column.
 template <class Real>
-Collision in_si(const Outcome<Real>& outcome, const Parameters& parameters, std::span<const Real> mass = {}) {
+SimulationResult to_si_result(const Outcome<Real>& outcome, const Parameters& parameters,
+                              std::span<const Real> mass = {}) {
   return in_si_with(energies<Real>(std::span<const Real>(outcome.velocity), Real(1), mass), outcome, parameters);
 }
 
 /// The collision with its error; a result that misses the tolerance is tolerance_missed.
-inline Collision with_error(Collision c, double eps_eff_error, double tolerance) {
+inline SimulationResult with_error(SimulationResult c, double eps_eff_error, double tolerance) {
   if (!std::isfinite(c.eps_eff)) return c;
   c.eps_eff_error = eps_eff_error;
   if (!(eps_eff_error <= tolerance)) c.status = Status::tolerance_missed;

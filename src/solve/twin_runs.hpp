@@ -17,22 +17,22 @@ inline constexpr double doubt = 4.0;
 inline constexpr double finest_double = 1e-15, finest_long_double = 1e-19;
 
 /// What two runs' eps_eff, which differ by `difference`, are worth; `left`: what the runs left out at the end.
-inline double twin_error(const Collision& c, double difference, double accuracy, double left) {
+inline double twin_error(const SimulationResult& c, double difference, double accuracy, double left) {
   return doubt * difference + amplification * accuracy + left + std::numeric_limits<double>::epsilon() * c.eps_eff;
 }
 
-/// Collision run.operator()<Real>(accuracy), a collision with eps_eff_error, is called until that meets the tolerance:
-/// with ever finer accuracies, in long double in the end. Status::tolerance_missed with the smallest error found where
-/// none meets it.
+/// SimulationResult run.operator()<Real>(accuracy), a collision with eps_eff_error, is called until that meets the
+/// tolerance: with ever finer accuracies, in long double in the end. Status::tolerance_missed with the smallest error
+/// found where none meets it.
 template <class Run>
-Collision to_tolerance(double tolerance, Run&& run) {
+SimulationResult to_tolerance(double tolerance, Run&& run) {
   double accuracy = std::max(1e-3 * tolerance, finest_double);
-  Collision c = run.template operator()<double>(accuracy);
+  SimulationResult c = run.template operator()<double>(accuracy);
   if (c.status != Status::ok || c.eps_eff_error <= tolerance) return c;
 
   // What the error grew to from the local accuracy says how fine that must be.
   const auto wanted = [&] { return 0.2 * accuracy * tolerance / c.eps_eff_error; };
-  const auto is_better = [&](const Collision& finer) {
+  const auto is_better = [&](const SimulationResult& finer) {
     if (finer.status == Status::ok && finer.eps_eff_error < c.eps_eff_error) c = finer;
     return c.eps_eff_error <= tolerance;
   };

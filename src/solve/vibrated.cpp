@@ -5,10 +5,10 @@
 
 namespace sigmasweep {
 
-Collision simulate_vibrated(const Parameters& parameters, Patience* patience) {
-  if (parameters.method == Method::ed) return simulate_vibrated_hard_spheres(parameters, patience);
-  Collision c = is_lattice(parameters) ? simulate_vibrated_lattice(parameters, patience)
-                                       : simulate_vibrated_soft_spheres(parameters, patience);
+SimulationResult simulate_vibrated(const Parameters& parameters, ComputeBudget* budget) {
+  if (parameters.method == Method::ed) return simulate_vibrated_hard_spheres(parameters, budget);
+  SimulationResult c = is_lattice(parameters) ? simulate_vibrated_lattice(parameters, budget)
+                                              : simulate_vibrated_soft_spheres(parameters, budget);
   if (parameters.integrator != Integrator::exact) c.predicted_growth = predicted_growth(parameters);
   return c;
 }

@@ -7,8 +7,8 @@ namespace sigmasweep {
 
 /// What a run of soft spheres on a plate (of a column or a lattice) and the statistics of it are for the tuple.
 template <class AnyOutcome, class Statistics>
-Collision vibrated_result(const AnyOutcome& outcome, const Statistics& statistics, const VibrationUnits& units) {
-  Collision c;
+SimulationResult vibrated_result(const AnyOutcome& outcome, const Statistics& statistics, const VibrationUnits& units) {
+  SimulationResult c;
   c.contacts = outcome.contacts;
   c.end = outcome.end;
   c.status = outcome.status;

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t line = 8;
 constexpr std::uint64_t magic = 0x0a314e5552575353;  // "SSWRUN1\n" on a little-endian machine
 enum Header : std::size_t { is_magic, spec_hash, rows, run, ranks };
-constexpr std::uint64_t most_numbers = 1 << 24;
+constexpr std::uint64_t max_numbers = 1 << 24;
 
 std::string name_of(const std::string& table) { return table + ".running"; }
 
@@ -35,7 +35,7 @@ std::vector<std::uint64_t> read_numbers(const std::string& path) {
   struct stat status {};
   if (!file.is_open() || ::fstat(file.fd(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
   const auto size = static_cast<std::uint64_t>(status.st_size);
-  if (size < line * sizeof(std::uint64_t) || size > most_numbers * sizeof(std::uint64_t)) return {};
+  if (size < line * sizeof(std::uint64_t) || size > max_numbers * sizeof(std::uint64_t)) return {};
   std::vector<std::uint64_t> numbers(size / sizeof(std::uint64_t));
   const auto bytes = std::as_writable_bytes(std::span(numbers));
   if (read_at(file.fd(), bytes, 0, path) != bytes.size() || numbers[is_magic] != magic) return {};
@@ -43,8 +43,8 @@ std::vector<std::uint64_t> read_numbers(const std::string& path) {
   return numbers;
 }
 
-Blame blame_in(const std::vector<std::uint64_t>& numbers, const InFlightIdentity& identity) {
-  Blame blame;
+SuspicionByRow blame_in(const std::vector<std::uint64_t>& numbers, const CrashNotesIdentity& identity) {
+  SuspicionByRow blame;
   if (numbers.empty() || numbers[spec_hash] != identity.spec_hash || numbers[rows] != identity.rows) return blame;
   const std::size_t past = line * (1 + numbers[ranks]);
   for (std::size_t i = past; i + 1 < numbers.size(); i += 2)
@@ -58,9 +58,10 @@ Blame blame_in(const std::vector<std::uint64_t>& numbers, const InFlightIdentity
 
 }  // namespace
 
-Blame begin_in_flight(const std::string& table, const InFlightIdentity& identity, int rank_count, bool fresh) {
+SuspicionByRow begin_crash_notes(const std::string& table, const CrashNotesIdentity& identity, int rank_count,
+                                 bool fresh) {
   const std::string path = name_of(table), part = path + ".part";
-  Blame blame;
+  SuspicionByRow blame;
   if (!fresh) blame = blame_in(read_numbers(path), identity);
   std::vector<std::uint64_t> numbers(line * (1 + static_cast<std::size_t>(rank_count)));
   numbers[is_magic] = magic;
@@ -77,7 +78,7 @@ Blame begin_in_flight(const std::string& table, const InFlightIdentity& identity
   throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
 }
 
-void end_in_flight(const std::string& table, bool complete) noexcept {
+void end_crash_notes(const std::string& table, bool complete) noexcept {
   try {
     const std::string path = name_of(table);
     const auto numbers = read_numbers(path);
@@ -86,7 +87,7 @@ void end_in_flight(const std::string& table, bool complete) noexcept {
   }
 }
 
-InFlight::InFlight(const std::string& table, const InFlightIdentity& identity, int rank) {
+CrashNotes::CrashNotes(const std::string& table, const CrashNotesIdentity& identity, int rank) {
   const std::string path = name_of(table);
   // Another host may see a new file a moment later.
   for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(3);;) {
@@ -110,20 +111,20 @@ InFlight::InFlight(const std::string& table, const InFlightIdentity& identity, i
   if (memory_) slot_ = static_cast<std::uint64_t*>(memory_) + line * (1 + static_cast<std::size_t>(rank));
 }
 
-InFlight::~InFlight() {
+CrashNotes::~CrashNotes() {
   if (memory_) ::munmap(memory_, size_);
 }
 
-void InFlight::begin(std::uint64_t row) noexcept {
+void CrashNotes::begin(std::uint64_t row) noexcept {
   if (slot_) std::atomic_ref(*slot_).store(row + 1);
-  if (excused_) end();  // asked after, as excuse() may come at any moment
+  if (excused_) end();  // asked after, as absolve() may come at any moment
 }
 
-void InFlight::end() noexcept {
+void CrashNotes::end() noexcept {
   if (slot_) std::atomic_ref(*slot_).store(0);
 }
 
-void InFlight::excuse() noexcept {
+void CrashNotes::absolve() noexcept {
   if (!excused_.exchange(true)) end();
 }
 

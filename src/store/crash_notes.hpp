@@ -11,33 +11,33 @@ namespace sigmasweep {
 /// is not: so the next run knows what it died of. The file is mapped into memory: a note costs a nanosecond, and
 /// outlives the process, though not the machine. Nothing but the quarantine hangs on it; a foreign or damaged file is
 /// taken for none.
-struct InFlightIdentity {
+struct CrashNotesIdentity {
   std::uint64_t spec_hash = 0, rows = 0;
   std::uint64_t run = 0;  ///< a random number, to know the file again on another host
 };
 
 /// What speaks for it that a row kills its process, by row: 2 for each run that died while it was the only one in
 /// flight; 1 where others were as well, as it may have been any of them, or mpirun or the machine that died.
-using Blame = std::map<std::uint64_t, std::uint64_t>;
+using SuspicionByRow = std::map<std::uint64_t, std::uint64_t>;
 
 /// On the manager, before anybody notes: what earlier runs left (nothing if `fresh`), and a new file for
 /// `ranks` ranks that remembers it. Throws OutputError.
-Blame begin_in_flight(const std::string& table, const InFlightIdentity& identity, int ranks, bool fresh);
+SuspicionByRow begin_crash_notes(const std::string& table, const CrashNotesIdentity& identity, int ranks, bool fresh);
 /// On the manager, once nobody notes any more: the file goes if it has nothing to remember, or if all rows are there.
-void end_in_flight(const std::string& table, bool complete) noexcept;
+void end_crash_notes(const std::string& table, bool complete) noexcept;
 
 /// One rank's notes.
-class InFlight {
+class CrashNotes {
  public:
   /// Throws OutputError if the file that the manager made is not there: this rank does not see the same directory.
-  InFlight(const std::string& table, const InFlightIdentity& identity, int rank);
-  ~InFlight();
-  InFlight(const InFlight&) = delete;
-  InFlight& operator=(const InFlight&) = delete;
+  CrashNotes(const std::string& table, const CrashNotesIdentity& identity, int rank);
+  ~CrashNotes();
+  CrashNotes(const CrashNotes&) = delete;
+  CrashNotes& operator=(const CrashNotes&) = delete;
   void begin(std::uint64_t row) noexcept;
   void end() noexcept;
   /// This rank was told to stop: whatever it dies of now, it is not the row. From any thread, as often as you like.
-  void excuse() noexcept;
+  void absolve() noexcept;
 
  private:
   void* memory_ = nullptr;  ///< null where files cannot be mapped: no notes

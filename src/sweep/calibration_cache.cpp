@@ -14,28 +14,28 @@ namespace {
 constexpr auto of_material = std::to_array<std::string_view>({"law", "beta", "gamma", "material"});
 constexpr auto of_pair = std::to_array<std::string_view>({"law", "beta", "gamma", "material", "K_over_m", "D_n", "v0"});
 
-bool has_axis(const Product::Group& group, std::span<const std::string_view> names) {
-  return std::ranges::any_of(group, [&](const Product::Member& member) {
+bool has_axis(const ParameterGrid::Group& group, std::span<const std::string_view> names) {
+  return std::ranges::any_of(group, [&](const ParameterGrid::Member& member) {
     return std::ranges::find(names, member.field->name) != names.end();
   });
 }
 
-std::vector<Product::Group> with_axis(const std::vector<Product::Group>& groups,
-                                      std::span<const std::string_view> names) {
-  std::vector<Product::Group> found;
+std::vector<ParameterGrid::Group> with_axis(const std::vector<ParameterGrid::Group>& groups,
+                                            std::span<const std::string_view> names) {
+  std::vector<ParameterGrid::Group> found;
   std::ranges::copy_if(groups, std::back_inserter(found), [&](const auto& group) { return has_axis(group, names); });
   return found;
 }
 
-bool has_own_stiffness(const Parameters& base, const std::vector<Product::Group>& groups) {
+bool has_own_stiffness(const Parameters& base, const std::vector<ParameterGrid::Group>& groups) {
   static constexpr auto given = std::to_array<std::string_view>({"K_over_m", "material"});
   return base.K_over_m > 0.0 || base.material != Material::none || !with_axis(groups, given).empty();
 }
 
 /// At most `most` tuples; without an overflow.
-bool is_small(const std::vector<Product::Group>& groups, std::uint64_t most) {
+bool is_small(const std::vector<ParameterGrid::Group>& groups, std::uint64_t most) {
   double size = 1.0;
-  for (const Product::Group& group : groups) size *= static_cast<double>(group.front().axis.size());
+  for (const ParameterGrid::Group& group : groups) size *= static_cast<double>(group.front().axis.size());
   return size <= static_cast<double>(most);
 }
 
@@ -45,65 +45,66 @@ bool takes_long(const Parameters& p) {
   return (p.K_over_m > 0.0 || p.material != Material::none) && !exponents(p).linear();
 }
 
-std::vector<Product::Group> deciding_contacts(const Parameters& base, const std::vector<Product::Group>& groups) {
-  return has_own_stiffness(base, groups) ? with_axis(groups, of_pair) : std::vector<Product::Group>{};
+std::vector<ParameterGrid::Group> deciding_contacts(const Parameters& base,
+                                                    const std::vector<ParameterGrid::Group>& groups) {
+  return has_own_stiffness(base, groups) ? with_axis(groups, of_pair) : std::vector<ParameterGrid::Group>{};
 }
 
-Contacts::Contacts(const Parameters& base, const std::vector<Product::Group>& groups) {
+CalibrationCache::CalibrationCache(const Parameters& base, const std::vector<ParameterGrid::Group>& groups) {
   if (!has_own_stiffness(base, groups)) return;
   for (const bool pairs_too : {false, true}) {
     const auto deciding = with_axis(groups, pairs_too ? std::span<const std::string_view>(of_pair) : of_material);
-    if (!is_small(deciding, most_remembered)) continue;
+    if (!is_small(deciding, max_remembered)) continue;
     for (std::uint64_t i = 0; i < size_of(deciding); ++i) learn(values_at(base, deciding, i), pairs_too);
   }
   const auto deciding = with_axis(groups, of_pair);
-  if (is_small(deciding, most_remembered)) return;
+  if (is_small(deciding, max_remembered)) return;
   const auto laws = with_axis(groups, of_material);
-  for (std::uint64_t i = 0; i < std::min(size_of(laws), most_remembered); ++i)
+  for (std::uint64_t i = 0; i < std::min(size_of(laws), max_remembered); ++i)
     is_slow_ = is_slow_ || takes_long(values_at(base, laws, i));
 }
 
-Contacts::MaterialKey Contacts::material_key(const Parameters& p) {
+CalibrationCache::MaterialKey CalibrationCache::material_key(const Parameters& p) {
   const auto [beta, gamma] = exponents(p);
   return {static_cast<double>(p.material), beta, gamma};
 }
 
-Contacts::PairKey Contacts::pair_key(const Parameters& p) {
+CalibrationCache::PairKey CalibrationCache::pair_key(const Parameters& p) {
   const auto [beta, gamma] = exponents(p);
   return {beta, gamma, p.K_over_m, p.D_n, p.v0};
 }
 
-void Contacts::learn(Parameters p, bool pairs_too) {
+void CalibrationCache::learn(Parameters p, bool pairs_too) {
   if (!takes_long(p)) return;
   if (p.material != sigmasweep::Material::none) {
     const auto [known, is_new] = materials_.try_emplace(material_key(p));
     if (is_new) {
-      give_material(p);
+      derive_material(p);
       known->second = {p.d, p.K_over_m, p.D_n};
     }
-    give_known_material(p);
+    derive_known_material(p);
   }
   if (!pairs_too || std::isnan(p.D_n)) return;
   const auto [known, is_new] = pairs_.try_emplace(pair_key(p));
   if (!is_new) return;
-  give_pair(p);
+  derive_pair(p);
   known->second = {p.tc, p.epsilon};
 }
 
-void Contacts::give_known_material(Parameters& p) const {
+void CalibrationCache::derive_known_material(Parameters& p) const {
   if (p.material == sigmasweep::Material::none) return;
   const auto known = materials_.find(material_key(p));
-  if (known == materials_.end()) return give_material(p);
+  if (known == materials_.end()) return derive_material(p);
   p.d = known->second.d;
   p.K_over_m = known->second.K_over_m;
   p.D_n = known->second.D_n;
 }
 
-void Contacts::give(Parameters& p) const {
-  give_known_material(p);
-  if (pairs_.empty() || !takes_long(p) || std::isnan(p.D_n)) return give_pair(p);
+void CalibrationCache::give(Parameters& p) const {
+  derive_known_material(p);
+  if (pairs_.empty() || !takes_long(p) || std::isnan(p.D_n)) return derive_pair(p);
   const auto known = pairs_.find(pair_key(p));
-  if (known == pairs_.end()) return give_pair(p);
+  if (known == pairs_.end()) return derive_pair(p);
   p.tc = known->second.tc;
   p.epsilon = known->second.epsilon;
 }

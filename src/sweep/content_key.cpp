@@ -12,8 +12,8 @@ namespace sigmasweep {
 
 std::uint64_t content_key(const Parameters& parameters) {
   // Every parameter in the order of their list: padding never counts, a new parameter always does.
-  constexpr std::size_t most_fields = 64;
-  std::array<std::uint64_t, most_fields> words{physics_version};
+  constexpr std::size_t max_fields = 64;
+  std::array<std::uint64_t, max_fields> words{physics_version};
   std::size_t used = 1;
   Row row;
   row.parameters = parameters;

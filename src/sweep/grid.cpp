@@ -8,37 +8,37 @@
 
 namespace sigmasweep {
 
-std::uint64_t size_of(const std::vector<Product::Group>& groups) {
+std::uint64_t size_of(const std::vector<ParameterGrid::Group>& groups) {
   std::uint64_t size = 1;
-  for (const Product::Group& group : groups) size *= group.front().axis.size();
+  for (const ParameterGrid::Group& group : groups) size *= group.front().axis.size();
   return size;
 }
 
-Parameters values_at(const Parameters& base, const std::vector<Product::Group>& groups, std::uint64_t index) {
+Parameters values_at(const Parameters& base, const std::vector<ParameterGrid::Group>& groups, std::uint64_t index) {
   Row row;
   row.parameters = base;
   for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
     const std::uint64_t length = group->front().axis.size();
-    for (const Product::Member& member : *group) set_number(*member.field, row, member.axis[index % length]);
+    for (const ParameterGrid::Member& member : *group) set_number(*member.field, row, member.axis[index % length]);
     index /= length;
   }
   return row.parameters;
 }
 
-Product::Product(const Parameters& base, Gap gap, std::vector<Group> groups)
+ParameterGrid::ParameterGrid(const Parameters& base, GapParameter gap, std::vector<Group> groups)
     : base_(base),
       gap_(gap),
       groups_(std::move(groups)),
       size_(size_of(groups_)),
-      contacts_(std::make_shared<const Contacts>(base_, groups_)) {}
+      contacts_(std::make_shared<const CalibrationCache>(base_, groups_)) {}
 
-Parameters Product::at(std::uint64_t index) const {
+Parameters ParameterGrid::at(std::uint64_t index) const {
   assert(index < size_);
   Parameters parameters = values_at(base_, groups_, index);
-  give_beads(parameters);
+  derive_beads(parameters);
   contacts_->give(parameters);
-  give_gap(parameters, gap_);
-  give_plate(parameters);
+  derive_gap(parameters, gap_);
+  derive_plate_motion(parameters);
   return parameters;
 }
 

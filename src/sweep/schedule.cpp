@@ -37,8 +37,8 @@ Schedule::Schedule(std::vector<std::uint64_t> rows, std::vector<double> predicte
   to_do_ = {0, rows_.size()};
 }
 
-std::size_t Schedule::chunk_end(Range rows, double& left, double most_seconds) const {
-  const double target = std::min(std::clamp(left / (2.0 * ranks_), min_chunk_, max_chunk_), most_seconds);
+std::size_t Schedule::chunk_end(Range rows, double& left, double max_seconds) const {
+  const double target = std::min(std::clamp(left / (2.0 * ranks_), min_chunk_, max_chunk_), max_seconds);
   double chunk = 0.0;
   std::size_t end = rows.first;
   do chunk += seconds_[end++];
@@ -55,15 +55,15 @@ void Schedule::pass_over(Range rows) {
     passed_over_.push_back(rows);
 }
 
-std::span<const std::uint64_t> Schedule::next(double most_seconds) {
+std::span<const std::uint64_t> Schedule::next(double max_seconds) {
   for (std::size_t ranges = passed_over_.size() + 1; ranges > 0; --ranges) {
     const auto longer = std::partition_point(seconds_.begin() + static_cast<std::ptrdiff_t>(to_do_.first),
                                              seconds_.begin() + static_cast<std::ptrdiff_t>(to_do_.end),
-                                             [&](double seconds) { return seconds > most_seconds; });
+                                             [&](double seconds) { return seconds > max_seconds; });
     const auto first = static_cast<std::size_t>(longer - seconds_.begin());
     pass_over({to_do_.first, first});
     if (first < to_do_.end) {
-      to_do_.first = chunk_end({first, to_do_.end}, left_, most_seconds);
+      to_do_.first = chunk_end({first, to_do_.end}, left_, max_seconds);
       return std::span(rows_).subspan(first, to_do_.first - first);
     }
     to_do_ = {};

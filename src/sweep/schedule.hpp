@@ -20,7 +20,7 @@ class Schedule {
            double min_chunk_seconds = 1e-3, double max_chunk_seconds = 0.25);
   /// The next chunk that is predicted to take at most so long; empty when there is none. Longer rows are passed over,
   /// and looked at again after the others. Valid until the Schedule is destroyed.
-  std::span<const std::uint64_t> next(double most_seconds = std::numeric_limits<double>::infinity());
+  std::span<const std::uint64_t> next(double max_seconds = std::numeric_limits<double>::infinity());
   double total_seconds() const;
   double longest_seconds() const;
   /// max(total/ranks, longest): no schedule ends earlier.
@@ -34,7 +34,7 @@ class Schedule {
     std::size_t first, end;
   };
   /// One past the last row of the chunk that begins at rows.first; takes the chunk's cost from `left`.
-  std::size_t chunk_end(Range rows, double& left, double most_seconds) const;
+  std::size_t chunk_end(Range rows, double& left, double max_seconds) const;
   void pass_over(Range rows);
 
   std::vector<std::uint64_t> rows_;  ///< in the order of handing out

@@ -52,7 +52,7 @@ std::vector<Field> columns_of(const spec::Grid& grid) {
     if (is_fixed(field, grid.kinds) || std::ranges::find(grid.axes, &field) != grid.axes.end())
       columns.push_back(field);
   for (const Field& field : result_fields())
-    if (std::ranges::any_of(grid.kinds, [&](const Parameters& kind) { return is_used(field, kind); }))
+    if (std::ranges::any_of(grid.kinds, [&](const Parameters& kind) { return applies_to(field, kind); }))
       columns.push_back(field);
   return columns;
 }

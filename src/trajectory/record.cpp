@@ -43,20 +43,20 @@ Units units_of(const Parameters& p, const Column<double>& column) {
   return {p.tc, p.v0 * p.tc, from_the_start ? 0.0 : first_contact};
 }
 
-void watch_vibrated(const Parameters& p, Samples& samples) {
+void observe_vibrated(const Parameters& p, Samples& samples) {
   VibratedSamples vibrated(samples, Plate::of(p, vibration_units(p)).period());
-  p.method == Method::ed ? watch_vibrated_hard_spheres(p, vibrated) : watch_vibrated_soft_spheres(p, vibrated);
+  p.method == Method::ed ? observe_vibrated_hard_spheres(p, vibrated) : observe_vibrated_soft_spheres(p, vibrated);
 }
 
 void watch(const Parameters& p, const Column<double>& column, Samples& samples) {
-  if (is_vibrated(p)) return watch_vibrated(p, samples);
-  if (p.method == Method::ed) return watch_hard_spheres(column, p.ed_rule, samples);
-  if (p.integrator != Integrator::exact) return watch_fixed_step(column, p.integrator, 1.0 / steps_taken(p), samples);
+  if (is_vibrated(p)) return observe_vibrated(p, samples);
+  if (p.method == Method::ed) return observe_hard_spheres(column, p.ed_rule, samples);
+  if (p.integrator != Integrator::exact) return observe_fixed_step(column, p.integrator, 1.0 / steps_taken(p), samples);
   const double start = -column.initial_gap(0) / column.speed;
   const auto falling = [&](double t, auto x, auto u) { fall(column, t - start, x, u); };
   samples.until(std::nextafter(0.0, -1.0), falling);
-  if (column.exponents.linear()) return watch_exact(column, samples);
-  watch_nonlinear(column, samples);
+  if (column.exponents.linear()) return observe_exact(column, samples);
+  observe_nonlinear(column, samples);
 }
 
 /// z_i = plate - (x_0 + ... + x_i), v_i the same with u.
@@ -95,7 +95,7 @@ Trajectory record(const Parameters& p, std::span<const double> times) {
   return trajectory;
 }
 
-void watch_exact(const Column<double>& column, Samples& samples) {
+void observe_exact(const Column<double>& column, Samples& samples) {
   ExactOptions options;
   options.settle = 0.0;  // to the last sample
   if (column.is_uniform())
@@ -104,13 +104,13 @@ void watch_exact(const Column<double>& column, Samples& samples) {
     ExactColumn<double, 0, true>(column, options).run(samples);
 }
 
-void watch_nonlinear(const Column<double>& column, Samples& samples) {
+void observe_nonlinear(const Column<double>& column, Samples& samples) {
   NonlinearOptions options;
   options.settle = 0.0;
   NonlinearColumn<double>(column, options).run(samples);
 }
 
-double show_time(const Parameters& p, const Collision& collision) {
+double show_time(const Parameters& p, const SimulationResult& collision) {
   constexpr double shown_periods = 10.0;
   if (is_vibrated(p))
     return std::isnan(collision.vibration.h_cm) ? collision.vibration.h_cm : shown_periods / p.frequency;

@@ -13,9 +13,9 @@ namespace {
 
 /// The clock starts with the fall, or with the plate's motion.
 void watch(const Parameters& p, const Lattice<double>& lattice, LatticeSamples& samples) {
-  if (is_vibrated(p)) return watch_vibrated_lattice(p, samples);
-  if (p.integrator == Integrator::exact) return watch_lattice(lattice, samples);
-  watch_fixed_step_lattice(lattice, p.integrator, 1.0 / steps_taken(p), samples);
+  if (is_vibrated(p)) return observe_vibrated_lattice(p, samples);
+  if (p.integrator == Integrator::exact) return observe_lattice(lattice, samples);
+  observe_fixed_step_lattice(lattice, p.integrator, 1.0 / steps_taken(p), samples);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(Column, ReducedUnitsKeepOnlySigma) {
 
 TEST(Column, SIUnitsAreTheReducedOnesTimesPowersOfTheContactTime) {
   Parameters p{.v0 = 0.2, .tc = 4e-6, .s0 = 1e-7, .epsilon = 0.7};
-  p = complete(p, Gap::s0);
+  p = complete(p, GapParameter::s0);
   const auto si = si_column<double>(p), reduced = reduced_column<double>(p);
   EXPECT_EQ(si.gap, 1e-7);
   EXPECT_EQ(si.speed, 0.2);

@@ -29,7 +29,7 @@ Parameters tuple(double sigma) {
   p.v0 = 0.2;
   p.tc = 1e-5;
   p.sigma = sigma;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 double reference(const Parameters& p) {
@@ -49,7 +49,7 @@ void report_error(benchmark::State& state, const Parameters& p, double eps_eff) 
 void exact(benchmark::State& state, double sigma, double tolerance) {
   Parameters p = tuple(sigma);
   p.tolerance = tolerance;
-  Collision c;
+  SimulationResult c;
   for (auto _ : state) benchmark::DoNotOptimize(c = simulate(p));
   report_error(state, p, c.eps_eff);
   state.counters["bar"] = c.eps_eff_error;
@@ -74,8 +74,8 @@ void vibrated(benchmark::State& state, double epsilon, double alpha, double tc, 
   p.integrator = integrator;
   p.periods = 30;
   p.transient = 0;
-  p = complete(p, Gap::s0);
-  Collision c;
+  p = complete(p, GapParameter::s0);
+  SimulationResult c;
   for (auto _ : state) benchmark::DoNotOptimize(c = simulate(p));
   const auto contacts = static_cast<double>(c.contacts);
   state.counters["contacts"] = contacts / static_cast<double>(p.periods);

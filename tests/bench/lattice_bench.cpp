@@ -24,7 +24,7 @@ Parameters scene(std::int64_t rows, std::int64_t columns, double sigma) {
   p.tc = 2e-5;  // d = 1000 v0 tc
   p.sigma = sigma;
   p.random_separation = Flag::yes;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 void count(benchmark::State& state, std::uint64_t contacts, double contact_time = 0.0) {
@@ -65,7 +65,7 @@ void vibrated(benchmark::State& state, double tc, Integrator integrator) {
   p.periods = 4;
   p.transient = 0;
   p.integrator = integrator;
-  p = complete(p, Gap::s0);
+  p = complete(p, GapParameter::s0);
   std::uint64_t contacts = 0;
   for (auto _ : state) contacts = simulate(p).contacts;
   count(state, contacts);

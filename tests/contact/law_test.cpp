@@ -156,7 +156,7 @@ TEST(Material, ContactTimesOfThePaper) {
       Parameters p;
       p.law = law;
       p.material = material;
-      p = complete(p, Gap::s0);
+      p = complete(p, GapParameter::s0);
       // Sec. III: 4.6e-6 s for steel; "around" that for aluminium, where it is a little less.
       EXPECT_NEAR(p.tc, 4.6e-6, material == Material::steel ? 0.05e-6 : 0.11e-6);
       EXPECT_NEAR(p.epsilon, material == Material::steel ? 0.9 : 0.6, 1e-12);
@@ -168,15 +168,15 @@ TEST(Material, ContactTimesOfThePaper) {
 TEST(Complete, StiffnessGivesContactTimeAndRestitutionAtV0) {
   // Fig. 3's linear law: eps = 0.80, tc = 7.0e-5 s.
   Parameters p{.v0 = 0.05, .K_over_m = 2e9, .D_n = 3170.0};
-  p = complete(p, Gap::s0);
+  p = complete(p, GapParameter::s0);
   EXPECT_NEAR(p.tc, 7.0e-5, 0.05e-5);
   EXPECT_NEAR(p.epsilon, 0.80, 0.005);
   p.law = Law::hertz;  // the dashpot of a pair is 2 D_n
   p.K_over_m = 2e12;
   p.D_n = 1000.0;
-  EXPECT_NEAR(complete(p, Gap::s0).epsilon, 0.924199892990, 9e-11);
+  EXPECT_NEAR(complete(p, GapParameter::s0).epsilon, 0.924199892990, 9e-11);
   p.D_n = 1e9;
-  p = complete(p, Gap::s0);
+  p = complete(p, GapParameter::s0);
   EXPECT_EQ(p.epsilon, 0.0);
   EXPECT_EQ(why_invalid(p), "");
   p.method = Method::ed;

@@ -20,8 +20,8 @@ Deadline in_a_hundred_seconds(double crowding = 1.0) {
 
 TEST(Deadline, TrustsNoPredictionBeforeRowsAreDone) {
   const Deadline deadline = in_a_hundred_seconds(), crowded = in_a_hundred_seconds(2.0);
-  EXPECT_NEAR(deadline.most_seconds(), 100.0 / 3.0, 1.0);
-  EXPECT_NEAR(crowded.most_seconds(), 50.0 / 3.0, 1.0);
+  EXPECT_NEAR(deadline.max_seconds(), 100.0 / 3.0, 1.0);
+  EXPECT_NEAR(crowded.max_seconds(), 50.0 / 3.0, 1.0);
 }
 
 TEST(Deadline, LearnsFromOneRow) {
@@ -55,7 +55,7 @@ TEST(Deadline, IgnoresWhatWasNotTimed) {
 
 TEST(Deadline, IsOverWhenTheTimeIsUp) {
   const Deadline over(Deadline::Clock::now() - std::chrono::seconds(1), 1.0);
-  EXPECT_LT(over.most_seconds(), 0.0);
+  EXPECT_LT(over.max_seconds(), 0.0);
 }
 
 TEST(Deadline, KeepsTimeForTheEnd) {

@@ -16,9 +16,9 @@ Row row(double sigma, double v0, double eps_eff, Status status = Status::ok) {
   row.parameters.v0 = v0;
   row.parameters.tc = 1e-5;
   row.parameters.s0 = sigma * v0 * 1e-5;
-  row.collision.eps_eff = eps_eff;
-  row.collision.eps_eff_error = 1e-14;
-  row.collision.status = status;
+  row.result.eps_eff = eps_eff;
+  row.result.eps_eff_error = 1e-14;
+  row.result.status = status;
   row.timing.run_time = 1e-3;
   return row;
 }
@@ -95,11 +95,11 @@ TEST(Summary, CountsQuantilesAndMakespan) {
   for (int i = 1; i <= 100; ++i) {
     rows.push_back(row(i, 1, 0.5));
     rows.back().timing.run_time = i;
-    rows.back().collision.eps_eff_error = i * 1e-12;
+    rows.back().result.eps_eff_error = i * 1e-12;
   }
-  rows[6].collision.status = Status::collapsed;
-  rows[7].collision.status = Status::failed;
-  rows[7].collision.eps_eff_error = std::numeric_limits<double>::quiet_NaN();
+  rows[6].result.status = Status::collapsed;
+  rows[7].result.status = Status::failed;
+  rows[7].result.eps_eff_error = std::numeric_limits<double>::quiet_NaN();
   // sum 5050 s: on 4 ranks 1262.5 s at best, of which 2525 s is twice as much
   const std::string text = summary(rows, 4, 2525.0);
   EXPECT_TRUE(has_line(text, "100 rows")) << text;

@@ -79,9 +79,9 @@ TEST(Fields, EachSitsAtItsMember) {
   row.parameters.v0 = 1.5;
   row.parameters.N = 123456789012;
   row.parameters.integrator = Integrator::verlet;
-  row.collision.x_max = 2.5e-6;
-  row.collision.contacts = 4096;
-  row.collision.status = Status::event_limit;
+  row.result.x_max = 2.5e-6;
+  row.result.contacts = 4096;
+  row.result.status = Status::event_limit;
   row.timing.rank = -7;
   EXPECT_EQ(number(*find_field("v0"), row), 1.5);
   EXPECT_EQ(number(*find_field("N"), row), 123456789012.0);
@@ -102,12 +102,12 @@ TEST(Fields, EachSitsAtItsMember) {
   EXPECT_EQ(shown("material", row), "aluminium");
   row.parameters.geometry = Geometry::vibrated_column;
   row.parameters.transient = 7;
-  row.collision.vibration.imbalance = 3e-9;
+  row.result.vibration.imbalance = 3e-9;
   EXPECT_EQ(shown("geometry", row), "vibrated-column");
   row.parameters.geometry = Geometry::vibrated_lattice;
   row.parameters.side_walls = SideWalls::fixed;
   row.parameters.columns = 17;
-  row.collision.end = End::quiet;
+  row.result.end = End::quiet;
   EXPECT_EQ(shown("geometry", row), "vibrated-lattice");
   EXPECT_EQ(shown("side_walls", row), "fixed");
   EXPECT_EQ(number(*find_field("columns"), row), 17.0);

@@ -19,21 +19,21 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 TEST(Complete, FillsInTheOtherGap) {
   Parameters p{.v0 = 0.5, .tc = 1e-5};
   p.s0 = 2e-5;
-  EXPECT_DOUBLE_EQ(complete(p, Gap::s0).sigma, 4.0);
+  EXPECT_DOUBLE_EQ(complete(p, GapParameter::s0).sigma, 4.0);
   p.sigma = 0.25;
-  EXPECT_DOUBLE_EQ(complete(p, Gap::sigma).s0, 1.25e-6);
+  EXPECT_DOUBLE_EQ(complete(p, GapParameter::sigma).s0, 1.25e-6);
 }
 
 TEST(Complete, LeavesTheGivenGapAlone) {
   Parameters p{.v0 = 0.3, .tc = 7e-6, .s0 = 1.23e-7, .sigma = 99.0};
-  EXPECT_EQ(complete(p, Gap::s0).s0, 1.23e-7);
-  EXPECT_EQ(complete(p, Gap::sigma).sigma, 99.0);
+  EXPECT_EQ(complete(p, GapParameter::s0).s0, 1.23e-7);
+  EXPECT_EQ(complete(p, GapParameter::sigma).sigma, 99.0);
 }
 
 TEST(Complete, NoGapIsSigmaZeroEvenWhereTheUnitOfLengthUnderflows) {
   const Parameters p{.v0 = 1e-200, .tc = 1e-200, .s0 = 0.0, .sigma = 5.0};
-  EXPECT_EQ(complete(p, Gap::s0).sigma, 0.0);
-  EXPECT_EQ(why_invalid(complete(p, Gap::s0)), "");
+  EXPECT_EQ(complete(p, GapParameter::s0).sigma, 0.0);
+  EXPECT_EQ(why_invalid(complete(p, GapParameter::s0)), "");
 }
 
 Parameters vibrated(double alpha, double A0) {
@@ -41,7 +41,7 @@ Parameters vibrated(double alpha, double A0) {
   p.geometry = Geometry::vibrated_column;
   p.alpha = alpha;
   p.A0 = A0;
-  return complete(p, Gap::s0);
+  return complete(p, GapParameter::s0);
 }
 
 /// Fig. 5's plate: 1.24 mm at 20 Hz; its acceleration over g worked out elsewhere
@@ -50,16 +50,16 @@ TEST(Complete, FillsInThePlate) {
   EXPECT_NEAR(vibrated(4.0, 0.0).A0, 2.484902028828334e-3, 1e-15);
   EXPECT_EQ(vibrated(0.0, 1.24e-3).A0, 1.24e-3);
   EXPECT_EQ(vibrated(4.0, 0.0).alpha, 4.0);
-  EXPECT_NEAR(vibrated(3.0, 1.24e-3).alpha, 1.9960545496188875, 1e-14);  // A0 counts
-  EXPECT_EQ(complete(Parameters{.alpha = 4.0}, Gap::s0).A0, 0.0);        // no plate
+  EXPECT_NEAR(vibrated(3.0, 1.24e-3).alpha, 1.9960545496188875, 1e-14);     // A0 counts
+  EXPECT_EQ(complete(Parameters{.alpha = 4.0}, GapParameter::s0).A0, 0.0);  // no plate
 }
 
 TEST(Complete, LeavesACompletePlateAlone) {
   for (int k = 1; k <= 1000; ++k) {
     const Parameters from_alpha = vibrated(0.01 * k, 0.0), from_A0 = vibrated(0.0, 1.7e-5 * k);
     for (const Parameters& p : {from_alpha, from_A0}) {
-      EXPECT_EQ(complete(p, Gap::s0).alpha, p.alpha);
-      EXPECT_EQ(complete(p, Gap::s0).A0, p.A0);
+      EXPECT_EQ(complete(p, GapParameter::s0).alpha, p.alpha);
+      EXPECT_EQ(complete(p, GapParameter::s0).A0, p.A0);
     }
   }
 }
@@ -68,8 +68,8 @@ TEST(Complete, AVibratedColumnHasNoSigma) {
   Parameters p{.tc = 1e-4, .sigma = 0.5};
   p.geometry = Geometry::vibrated_column;
   p.alpha = 2.0;
-  EXPECT_EQ(complete(p, Gap::sigma).s0, 0.0);
-  EXPECT_EQ(complete(p, Gap::sigma).sigma, 0.0);
+  EXPECT_EQ(complete(p, GapParameter::sigma).s0, 0.0);
+  EXPECT_EQ(complete(p, GapParameter::sigma).sigma, 0.0);
 }
 
 Parameters lattice(std::int64_t rows, std::int64_t columns) {
@@ -77,7 +77,7 @@ Parameters lattice(std::int64_t rows, std::int64_t columns) {
   p.geometry = Geometry::lattice;
   p.rows = rows;
   p.columns = columns;
-  return complete(p, Gap::s0);
+  return complete(p, GapParameter::s0);
 }
 
 TEST(Complete, CountsTheBeadsOfALattice) {
@@ -86,11 +86,11 @@ TEST(Complete, CountsTheBeadsOfALattice) {
   Parameters p = lattice(3, 5);
   p.geometry = Geometry::vibrated_lattice;
   p.rows = 7;
-  give_beads(p);
+  derive_beads(p);
   EXPECT_EQ(p.N, 35);
   p.geometry = Geometry::column;
   p.N = 4;
-  EXPECT_EQ(complete(p, Gap::s0).N, 4);
+  EXPECT_EQ(complete(p, GapParameter::s0).N, 4);
 }
 
 TEST(WhyInvalid, LooksAtTheSizeOfLatticesOnly) {
@@ -211,7 +211,7 @@ TEST(WhyInvalid, RefusesNumbersOfBeads) {
 
 TEST(WhyInvalid, RefusesASigmaThatOverflows) {
   const Parameters p{.v0 = 1e-200, .tc = 1e-200, .s0 = 1.0};
-  EXPECT_EQ(why_invalid(complete(p, Gap::s0)).rfind("sigma = inf", 0), 0u);
+  EXPECT_EQ(why_invalid(complete(p, GapParameter::s0)).rfind("sigma = inf", 0), 0u);
 }
 
 template <class Enum>

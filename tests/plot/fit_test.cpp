@@ -21,8 +21,8 @@ Row make_row(double sigma, double eps_eff, double v0 = 1.0, double epsilon = 0.9
   row.parameters.v0 = v0;
   row.parameters.epsilon = epsilon;
   row.parameters.method = method;
-  row.collision.eps_eff = eps_eff;
-  row.collision.status = Status::ok;
+  row.result.eps_eff = eps_eff;
+  row.result.status = Status::ok;
   return row;
 }
 
@@ -156,9 +156,9 @@ Row vibrated(double alpha, double excess, double error, Method method = Method::
   row.parameters.geometry = Geometry::vibrated_column;
   row.parameters.alpha = alpha;
   row.parameters.method = method;
-  row.collision.vibration.h_cm_excess = excess;
-  row.collision.vibration.h_cm_error = error;
-  row.collision.status = Status::ok;
+  row.result.vibration.h_cm_excess = excess;
+  row.result.vibration.h_cm_error = error;
+  row.result.status = Status::ok;
   return row;
 }
 

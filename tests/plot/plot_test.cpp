@@ -24,8 +24,8 @@ Row make_row(Method method, double v0, double tc, double sigma, double eps_eff, 
   row.parameters.v0 = v0;
   row.parameters.tc = tc;
   row.parameters.sigma = sigma;
-  row.collision.eps_eff = eps_eff;
-  row.collision.status = status;
+  row.result.eps_eff = eps_eff;
+  row.result.status = status;
   return row;
 }
 

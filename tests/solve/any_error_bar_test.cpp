@@ -21,7 +21,7 @@ using namespace sigmasweep::any_parameters;
 constexpr double cannot_tell = 0.0;
 
 /// Of the linear law in long double or, where that is not enough, 113 bits.
-double linear_error(const Parameters& p, const Collision& c) {
+double linear_error(const Parameters& p, const SimulationResult& c) {
   const auto in = [&](auto real) {
     using Real = decltype(real);
     using std::abs;
@@ -38,7 +38,7 @@ double linear_error(const Parameters& p, const Collision& c) {
 }
 
 /// Of the other laws, with local errors of 1e-16.
-double nonlinear_error(const Parameters& p, const Collision& c) {
+double nonlinear_error(const Parameters& p, const SimulationResult& c) {
   const auto column = reduced_column<long double>(p);
   NonlinearOptions options;
   options.accuracy = 1e-16;
@@ -49,7 +49,7 @@ double nonlinear_error(const Parameters& p, const Collision& c) {
   return std::fabs(double(energies<long double>(outcome.velocity, 1.0L, column.mass).eps_eff - c.eps_eff));
 }
 
-double hard_error(const Parameters& p, const Collision& c) {
+double hard_error(const Parameters& p, const SimulationResult& c) {
   using plain_hard_spheres::Wide;
   auto column = reduced_column<Quad>(p);
   if (column.gap > 0) {  // the unit of length: the plain program knows of absolute distances
@@ -62,16 +62,16 @@ double hard_error(const Parameters& p, const Collision& c) {
   return std::fabs(static_cast<double>(Wide(c.eps_eff) - plain.eps_eff(Wide(column.speed))));
 }
 
-double true_error(const Parameters& p, const Collision& c) {
+double true_error(const Parameters& p, const SimulationResult& c) {
   if (p.method == Method::ed) return hard_error(p, c);
   return p.law == Law::hooke ? linear_error(p, c) : nonlinear_error(p, c);
 }
 
-void check_truth(Solver solver, int most_beads) {
-  const Parameters p = drawn(solver, most_beads);
+void check_truth(Solver solver, int max_beads) {
+  const Parameters p = drawn(solver, max_beads);
   RC_LOG() << shown(p);
   RC_PRE(why_invalid(p).empty());
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   RC_TAG(std::string(name_of(c.status)));
   RC_PRE(is_success(c.status) || c.status == Status::tolerance_missed);
   const double error = true_error(p, c);
@@ -105,11 +105,11 @@ Parameters found(Method method, std::int64_t N, double epsilon, double sigma, Wa
   p.wall = wall;
   p.v0 = p.tc = 1.0;
   p.tolerance = 1e-12;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 void expect_truth(const Parameters& p) {
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   ASSERT_TRUE(is_success(c.status) || c.status == Status::tolerance_missed);
   EXPECT_LE(true_error(p, c), c.eps_eff_error) << c.eps_eff_error;
 }

@@ -73,7 +73,7 @@ inline void draw_stiffness(Parameters& p) {
   }
 }
 
-inline Parameters drawn(Solver solver, int most_beads = 30) {
+inline Parameters drawn(Solver solver, int max_beads = 30) {
   Parameters p;
   p.method = solver == Solver::hard                                  ? Method::ed
              : solver == Solver::any && *rc::gen::inRange(0, 3) == 2 ? Method::ed
@@ -86,7 +86,7 @@ inline Parameters drawn(Solver solver, int most_beads = 30) {
   p.tolerance = *decades(-12, -2);
   draw_integrator(p, solver);
   const bool slow = p.law != Law::hooke || p.integrator != Integrator::exact;
-  p.N = *rc::gen::inRange(1, slow ? 9 : most_beads + 1);
+  p.N = *rc::gen::inRange(1, slow ? 9 : max_beads + 1);
   p.wall = *any_of<Wall>();
   p.ed_rule = p.method == Method::ed ? *any_of<EdRule>() : EdRule::lrv;
   p.v0 = *decades(-15, 3);
@@ -95,7 +95,7 @@ inline Parameters drawn(Solver solver, int most_beads = 30) {
   if (*rc::gen::inRange(0, 3) == 2) p.width = p.d * 0.01 * *rc::gen::inRange(0, 200);
   draw_stiffness(p);
   p.sigma = *gaps();
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 }  // namespace sigmasweep::any_parameters

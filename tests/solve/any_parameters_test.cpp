@@ -17,7 +17,7 @@ namespace {
 using namespace sigmasweep;
 using namespace sigmasweep::any_parameters;
 
-void check_consistent(const Parameters& p, const Collision& c) {
+void check_consistent(const Parameters& p, const SimulationResult& c) {
   if (!is_success(c.status) && c.status != Status::tolerance_missed) {
     RC_ASSERT(std::isnan(c.eps_eff) && std::isnan(c.eps_eff_error) && std::isnan(c.v_cm));
     return;
@@ -37,7 +37,7 @@ void check_collision(const Parameters& p) {
   RC_LOG() << shown(p);
   RC_PRE(why_invalid(p).empty());
   const std::clock_t start = std::clock();
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   const double taken = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   RC_TAG(std::string(name_of(c.status)));
   check_consistent(p, c);
@@ -55,10 +55,10 @@ TEST(AnyParameters, OnlySigmaCounts) {
     Parameters p = drawn(Solver::any, 8);
     RC_LOG() << shown(p);
     RC_PRE(why_invalid(p).empty() && p.K_over_m == 0.0);
-    const Collision a = simulate(p);
+    const SimulationResult a = simulate(p);
     p.v0 *= 0x1p-7;
     p.tc *= 0x1p11;
-    const Collision b = simulate(complete(p, Gap::sigma));
+    const SimulationResult b = simulate(complete(p, GapParameter::sigma));
     RC_ASSERT(a.status == b.status && a.contacts == b.contacts);
     RC_ASSERT(std::isnan(a.eps_eff) || (a.eps_eff == b.eps_eff && a.eps_eff_error == b.eps_eff_error));
     RC_ASSERT(std::isnan(a.t_k) || std::fabs(a.t_k * 0x1p11 - b.t_k) <= 1e-15 * b.t_k);
@@ -71,10 +71,10 @@ TEST(AnyParameters, ElasticColumnsKeepTheirEnergy) {
     Parameters p = drawn(*rc::gen::element(Solver::linear, Solver::nonlinear, Solver::hard));
     p.epsilon = 1.0;
     p.K_over_m = p.D_n = 0.0;
-    p = complete(p, Gap::sigma);
+    p = complete(p, GapParameter::sigma);
     RC_LOG() << shown(p);
     RC_PRE(why_invalid(p).empty());
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     RC_ASSERT(c.status == Status::ok || c.status == Status::tolerance_missed);
     RC_LOG() << " eps_eff - 1 " << c.eps_eff - 1.0 << " bar " << c.eps_eff_error;
     RC_ASSERT(std::fabs(c.eps_eff - 1.0) <= c.eps_eff_error);
@@ -91,7 +91,7 @@ TEST(AnyParameters, OneBeadComesBackWithTheWallsRestitution) {
     RC_PRE(why_invalid(p).empty() && p.K_over_m == 0.0);
     const double L = -std::log(p.epsilon), pi = std::numbers::pi;
     const double wall = p.wall == Wall::matched ? p.epsilon : std::exp(-pi * L / std::sqrt(2.0 * pi * pi + L * L));
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     RC_LOG() << " eps_eff " << c.eps_eff << " expected " << wall;
     RC_ASSERT(c.contacts == 1u);
     RC_ASSERT(c.status == Status::ok);

@@ -19,11 +19,11 @@ Parameters tuple(std::int64_t N, double epsilon, double sigma, Law law = Law::ho
   p.epsilon = epsilon;
   p.sigma = sigma;
   p.law = law;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 void watch(const Column<double>& column, Samples& samples) {
-  column.exponents.linear() ? watch_exact(column, samples) : watch_nonlinear(column, samples);
+  column.exponents.linear() ? observe_exact(column, samples) : observe_nonlinear(column, samples);
 }
 
 constexpr double roundings = 1e-12;
@@ -60,7 +60,7 @@ TEST(Balance, OfColumnsWithOneModeCriticallyDamped) {
         Parameters p{.sigma = N % 2 == 0 ? 0.0 : 0.2, .K_over_m = 1e10, .N = N};
         p.D_n = std::sqrt(2.0 * p.K_over_m / lambda) * (1.0 + off);
         SCOPED_TRACE(testing::Message() << "N " << N << " mode " << q << " off by " << off);
-        expect_balance(reduced_column<double>(complete(p, Gap::sigma)), 6.0, roundings);
+        expect_balance(reduced_column<double>(complete(p, GapParameter::sigma)), 6.0, roundings);
       }
 }
 
@@ -69,7 +69,7 @@ TEST(Balance, OfOverdampedPairs) {
     for (const std::int64_t N : {1, 2, 3, 10}) {
       Parameters p{.sigma = 0.1, .K_over_m = 1e10, .D_n = damping * 1e5, .N = N};
       SCOPED_TRACE(testing::Message() << "N " << N << " damping " << damping);
-      expect_balance(reduced_column<double>(complete(p, Gap::sigma)), 6.0, roundings);
+      expect_balance(reduced_column<double>(complete(p, GapParameter::sigma)), 6.0, roundings);
     }
 }
 
@@ -131,7 +131,7 @@ TEST(Balance, IsWhatEpsEffSays) {
     for (const std::int64_t N : {1, 2, 3, 10})
       for (const double sigma : {0.0, 0.3}) {  // with wider gaps some contacts come very late
         const Parameters p = tuple(N, epsilon, sigma);
-        const Collision c = simulate(p);
+        const SimulationResult c = simulate(p);
         ASSERT_EQ(c.status, Status::ok);
         const double duration = 40.0 * (1.0 + sigma);  // the settled tail included
         const auto books = books::of(reduced_column<double>(p), duration, std::size_t(30.0 * duration), watch);
@@ -147,7 +147,7 @@ TEST(Balance, IsWhatEpsEffSays) {
 // collisions, hence few of them.
 TEST(Balance, OfHardSpheres) {
   const auto hard = [](const Column<double>& column, Samples& samples) {
-    watch_hard_spheres(column, EdRule::lrv, samples);
+    observe_hard_spheres(column, EdRule::lrv, samples);
   };
   for (const double epsilon : {1.0, 0.9, 0.5, 1e-3})
     for (const std::int64_t N : {1, 2, 3, 10, 100})

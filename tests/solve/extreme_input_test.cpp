@@ -11,7 +11,7 @@ using namespace sigmasweep;
 
 void expect_honest(const Parameters& p) {
   ASSERT_EQ(why_invalid(p), "");
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   const auto where = [&] {
     return testing::Message() << "N " << p.N << " eps " << p.epsilon << " sigma " << p.sigma << " v0 " << p.v0 << " tc "
                               << p.tc << " method " << int(p.method) << ": status " << int(c.status);
@@ -41,7 +41,7 @@ TEST(ExtremeInput, EveryCornerGivesAResultOrAStatus) {
               p.s0 = s0;
               p.v0 = v0;
               p.tc = tc;
-              p = complete(p, Gap::s0);
+              p = complete(p, GapParameter::s0);
               if (N == 40 && (v0 != 1.0 || tc != 1e-5)) continue;
               expect_honest(p);
             }
@@ -54,7 +54,7 @@ TEST(ExtremeInput, AThousandBeads) {
       p.N = 1000;
       p.epsilon = epsilon;
       p.sigma = sigma;
-      expect_honest(complete(p, Gap::sigma));
+      expect_honest(complete(p, GapParameter::sigma));
     }
 }
 

@@ -22,7 +22,7 @@ Parameters tuple(std::int64_t N, double epsilon, double sigma, double width = 0.
   p.epsilon = epsilon;
   p.sigma = sigma;
   p.width = width * p.d;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 /// Energy, momentum, and what dashpots and the wall have done up to each sample of a recorded collision: the books kept
@@ -73,7 +73,7 @@ double largest_imbalance(const std::vector<double>& stored, const std::vector<do
 void expect_balance(const Parameters& p) {
   SCOPED_TRACE(testing::Message() << "law " << int(p.law) << " N " << p.N << " eps " << p.epsilon << " sigma "
                                   << p.sigma << " width " << p.width << " D_n " << p.D_n);
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   ASSERT_EQ(c.status, Status::ok);
   const double duration = std::min(1.2 * (p.sigma + c.t_k) + 0.1, 40.0);
   const double N = static_cast<double>(p.N);
@@ -112,7 +112,7 @@ TEST(Extreme, TheBooksBalanceForUnequalBeadsAndOtherLaws) {
 TEST(Extreme, TheBooksBalanceForOverdampedPairs) {
   for (const double damping : {1.0, 2.0, 5.0}) {
     Parameters p{.v0 = 1.0, .s0 = 0.1, .K_over_m = 9.8696044010893586, .D_n = damping * 3.14159265358979323846, .N = 4};
-    expect_balance(complete(p, Gap::s0));  // tc = 1
+    expect_balance(complete(p, GapParameter::s0));  // tc = 1
   }
 }
 
@@ -121,7 +121,7 @@ TEST(Extreme, WithoutDashpotsNothingIsLost) {
     for (const double sigma : {0.0, 1e-300, 1e-16, 1e-12, 1e-3, 0.5, 1.0, 3.0, 1e6, 1e12})
       for (const double width : {0.0, 1.99}) {
         if (width > 0.0 && N > 10) continue;  // chaotic, some of them
-        const Collision c = simulate(tuple(N, 1.0, sigma, width));
+        const SimulationResult c = simulate(tuple(N, 1.0, sigma, width));
         ASSERT_TRUE(c.status == Status::ok) << N << " " << sigma << " " << width << " status " << int(c.status);
         EXPECT_NEAR(c.eps_eff, 1.0, std::min(1e-10, c.eps_eff_error)) << N << " " << sigma << " " << width;
       }
@@ -130,7 +130,7 @@ TEST(Extreme, WithoutDashpotsNothingIsLost) {
 /// Forward for `duration`, all velocities reversed, and on to the end: the velocities then.
 std::vector<double> there_and_back(const Column<double>& column, double duration) {
   Samples samples({duration}, column.contacts());
-  watch_exact(column, samples);
+  observe_exact(column, samples);
   Column<double> back = column;
   back.gaps.clear();
   std::vector<double> rates;
@@ -186,7 +186,7 @@ TEST(Extreme, GrazingContactsChangeNothing) {
         if (middle == low || middle == high) break;
         (at(middle).contacts == few ? low : high) = middle;
       }
-      const Collision a = at(low), b = at(high);
+      const SimulationResult a = at(low), b = at(high);
       ASSERT_EQ(a.status, Status::ok);
       ASSERT_EQ(b.status, Status::ok);
       EXPECT_NEAR(a.eps_eff, b.eps_eff, a.eps_eff_error + b.eps_eff_error + 1e-11) << epsilon << " " << N;
@@ -197,13 +197,13 @@ TEST(Extreme, GrazingContactsChangeNothing) {
 TEST(Extreme, OnlySigmaCounts) {
   for (const double epsilon : {1.0, 0.9, 1e-3})
     for (const double sigma : {0.0, 1e-12, 0.7, 1e12}) {
-      const Collision expected = simulate(tuple(5, epsilon, sigma));
+      const SimulationResult expected = simulate(tuple(5, epsilon, sigma));
       for (const double scale : {0x1p-30, 0x1p-10, 0x1p30}) {
         Parameters p = tuple(5, epsilon, sigma);
         p.v0 *= scale;
         p.tc *= scale * scale;
         p.d *= 3.0;
-        const Collision c = simulate(complete(p, Gap::sigma));
+        const SimulationResult c = simulate(complete(p, GapParameter::sigma));
         EXPECT_EQ(c.eps_eff, expected.eps_eff);
         EXPECT_EQ(c.contacts, expected.contacts);
         EXPECT_EQ(c.t_k, expected.t_k * scale * scale);
@@ -218,7 +218,7 @@ TEST(Extreme, OnlyTheDampingRatioCountsOverEighteenDecadesOfSpeed) {
     double expected = 0.0;
     for (int decade = -15; decade <= 3; decade += 3) {
       Parameters p{.v0 = std::pow(10.0, decade), .sigma = 0.2, .K_over_m = 4e10, .D_n = damping * 2e5, .N = 6};
-      const Collision c = simulate(complete(p, Gap::sigma));
+      const SimulationResult c = simulate(complete(p, GapParameter::sigma));
       ASSERT_EQ(c.status, Status::ok);
       if (decade == -15) expected = c.eps_eff;
       EXPECT_NEAR(c.eps_eff, expected, 1e-12);
@@ -234,7 +234,7 @@ TEST(Extreme, UnitsAndLanesAreTheSame) {
         Parameters p = tuple(N, epsilon, sigma);
         p.v0 = 3e-4;
         p.tc = 7e-6;
-        p = complete(p, Gap::sigma);
+        p = complete(p, GapParameter::sigma);
         const auto value = [](const auto& column, auto real) {
           using Real = decltype(real);
           return double(energies<Real>(exact_collision(column).velocity, column.speed, column.mass).eps_eff);

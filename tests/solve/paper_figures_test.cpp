@@ -12,8 +12,8 @@ namespace {
 
 constexpr double v0 = 0.05, tc = 2e-5;  // m/s, s: the caption of Fig. 2(b)
 
-Collision touching(std::int64_t N, double epsilon, double speed = v0, double contact_time = tc) {
-  return simulate(complete({.v0 = speed, .tc = contact_time, .s0 = 0.0, .epsilon = epsilon, .N = N}, Gap::s0));
+SimulationResult touching(std::int64_t N, double epsilon, double speed = v0, double contact_time = tc) {
+  return simulate(complete({.v0 = speed, .tc = contact_time, .s0 = 0.0, .epsilon = epsilon, .N = N}, GapParameter::s0));
 }
 
 double loss(std::int64_t N, double epsilon) { return 1.0 - touching(N, epsilon).eps_eff; }
@@ -33,7 +33,7 @@ TEST(PaperFigures, TouchingColumnsAreThoseOfTheReferences) {
   for (const reference::Soft& r : reference::soft) {
     if (r.sigma != 0.0 || !r.well_conditioned) continue;
     SCOPED_TRACE(testing::Message() << "N=" << r.N << " eps=" << r.epsilon);
-    const Collision c = touching(r.N, r.epsilon);
+    const SimulationResult c = touching(r.N, r.epsilon);
     EXPECT_EQ(c.status, Status::ok);
     EXPECT_NEAR(c.eps_eff, r.eps_eff, c.eps_eff_error + r.uncertainty);
     EXPECT_LE(c.eps_eff_error, 1e-10);

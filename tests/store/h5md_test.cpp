@@ -23,7 +23,7 @@ Tuple tuple() {
   Parameters p{.v0 = 0.2, .tc = 0.7e-5, .s0 = 1e-6};
   p.N = 4;
   p.width = 1e-4;
-  return {17, complete(p, Gap::s0)};
+  return {17, complete(p, GapParameter::s0)};
 }
 
 Trajectory film() { return record(tuple().parameters, sample_times(1e-4, 51)); }
@@ -53,8 +53,8 @@ TEST(H5md, LatticesComeBackToTheBit) {
     p.columns = 3;
     p.side_walls = side_walls;
     p.random_separation = Flag::yes;
-    give_beads(p);
-    p = complete(p, Gap::s0);
+    derive_beads(p);
+    p = complete(p, GapParameter::s0);
     const Trajectory written = record(p, sample_times(1e-4, 21));
     const std::string path = directory.file("lattice.h5");
     write_h5md(path, {0, p}, written);

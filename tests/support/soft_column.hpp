@@ -13,7 +13,7 @@ inline Parameters soft_column(std::int64_t N, double epsilon, double sigma) {
   p.N = N;
   p.epsilon = epsilon;
   p.sigma = sigma;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 template <class Real>

@@ -89,7 +89,7 @@ inline Row row(std::uint64_t index, std::uint64_t variant = 0) {
   p.material = static_cast<Material>(next() % 3);
   p.ed_rule = static_cast<EdRule>(next() % 2);
   p.random_separation = static_cast<Flag>(next() % 2);
-  Collision& c = r.collision;
+  SimulationResult& c = r.result;
   for (double* x : {&c.eps_eff, &c.eps_eff_error, &c.Er_Ef, &c.Er_E0, &c.v_cm, &c.t_k, &c.x_max}) *x = real();
   if (index % 5 == 1) c.eps_eff = std::numeric_limits<double>::quiet_NaN();
   if (index % 5 == 2) c.t_k = std::numeric_limits<double>::infinity();
@@ -129,7 +129,7 @@ inline std::vector<std::uint64_t> parameter_bits(const Row& r) {
 
 inline std::vector<std::uint64_t> bits(const Row& r) {
   std::vector<std::uint64_t> all = parameter_bits(r);
-  const Collision& c = r.collision;
+  const SimulationResult& c = r.result;
   for (const double x : {c.eps_eff, c.eps_eff_error, c.Er_Ef, c.Er_E0, c.v_cm, c.t_k, c.x_max, r.timing.run_time,
                          r.timing.predicted_time})
     all.push_back(std::bit_cast<std::uint64_t>(x));

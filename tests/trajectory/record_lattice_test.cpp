@@ -25,8 +25,8 @@ Parameters lattice(double sigma, SideWalls side_walls = SideWalls::periodic, dou
   p.side_walls = side_walls;
   p.seed = 5;
   p.random_separation = sigma > 0.0 ? Flag::yes : Flag::no;
-  give_beads(p);
-  return complete(p, Gap::sigma);
+  derive_beads(p);
+  return complete(p, GapParameter::sigma);
 }
 
 std::vector<Parameters> all_kinds() {
@@ -127,7 +127,7 @@ TEST(LatticeTrajectory, ShiftsAreSmallAndMakeNoOverlap) {
 TEST(LatticeTrajectory, EndsWithTheEnergyOfTheResult) {
   for (const Parameters& p : all_kinds()) {
     if (p.s0 == 0.0) continue;
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     ASSERT_EQ(c.status, Status::ok);
     const double quiet = 2 * 12 * (p.s0 + p.width) / v0, duration = show_time(p, c) + 20 * quiet, step = quiet / 40;
     const Trajectory t = filmed(p, duration, static_cast<std::size_t>(duration / step));
@@ -148,7 +148,7 @@ TEST(LatticeTrajectory, EndsWithTheEnergyOfTheResult) {
 TEST(LatticeTrajectory, InTouchEndsWithTheEnergyOfTheResult) {
   for (const Parameters& p : all_kinds()) {
     if (p.s0 > 0.0 || p.side_walls == SideWalls::fixed) continue;
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     const Trajectory t = filmed(p, 1000 * show_time(p, c), 3);
     EXPECT_NEAR(std::sqrt(kinetic(t, 2)), c.eps_eff, 2e-10) << int(p.side_walls) << " " << p.D_t;
   }
@@ -159,14 +159,14 @@ TEST(LatticeTrajectory, EnergyNeverRises) {
   for (const Parameters& p : all_kinds()) {
     if (p.width > 0.0) continue;  // other springs
     const Trajectory t = filmed(p, show_time(p, simulate(p)), 1001);
-    double before = 1.0, most_elastic = 0.0;
+    double before = 1.0, max_elastic = 0.0;
     for (std::size_t s = 0; s < t.samples(); ++s) {
       const double springs = elastic(t, s), energy = kinetic(t, s) + springs;
       EXPECT_LE(energy, before + 1e-10) << p.sigma << " " << int(p.side_walls) << " " << p.D_t << " " << t.time[s];
       before = energy;
-      most_elastic = std::max(most_elastic, springs);
+      max_elastic = std::max(max_elastic, springs);
     }
-    EXPECT_GT(most_elastic, 0.05);
+    EXPECT_GT(max_elastic, 0.05);
     EXPECT_LT(before, 0.96);
   }
 }
@@ -240,7 +240,7 @@ TEST(LatticeTrajectory, FixedStepsComeCloseToTheExactOne) {
 
 TEST(LatticeTrajectory, ShowTime) {
   const Parameters p = lattice(3.0);
-  Collision c;
+  SimulationResult c;
   EXPECT_TRUE(std::isnan(show_time(p, c)));
   c.t_k = 5 * tc;
   EXPECT_NEAR(show_time(p, c), 1.5 * 8 * tc, 1e-15 * tc);
@@ -257,8 +257,8 @@ TEST(LatticeTrajectory, OfAVibratedLattice) {
   p.alpha = 2.0;
   p.periods = 1;
   p.transient = 0;
-  p = complete(p, Gap::s0);
-  const Collision c = simulate(p);
+  p = complete(p, GapParameter::s0);
+  const SimulationResult c = simulate(p);
   ASSERT_EQ(c.status, Status::ok);
   std::vector<double> times{0.0};  // and the moments of the averages
   for (int s = 0; s < 256; ++s) times.push_back((s + 0.5) / 256.0 / p.frequency);

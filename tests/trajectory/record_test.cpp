@@ -19,7 +19,7 @@ Parameters figure_1(double s0, Method method = Method::md, Integrator integrator
   p.N = 10;
   p.method = method;
   p.integrator = integrator;
-  return complete(p, Gap::s0);
+  return complete(p, GapParameter::s0);
 }
 
 std::vector<Parameters> all_kinds() {
@@ -79,7 +79,7 @@ TEST(Trajectory, TwoHardBeadsByHand) {
   p.N = 2;
   p.method = Method::ed;
   p.wall = Wall::matched;
-  p = complete(p, Gap::s0);
+  p = complete(p, GapParameter::s0);
   const std::vector<double> times{0.0, 0.5, 1.0, 1.5, 2.0, 2.2, 3.0, 16.0 / 3.0};
   const std::vector<double> z1{1.0, 0.5, 0.0, 0.25, 1.0 / 3 - 5.0 / 24, 0.0, 0.25, 2.0 / 3 + 11.0 / 64};
   const std::vector<double> z2{2.0, 1.5, 1.0, 0.5, 1.0 / 3 + 1.0 / 24, 0.4, 0.5, 2.0 / 3 + 17.0 / 64};
@@ -106,7 +106,7 @@ TEST(Trajectory, HardBeadsInTouchFlyApartInOrder) {
 /// What is left after the settled end is 1e-13 of eps_eff (the solvers' settle), its square root of a velocity.
 TEST(Trajectory, EndsWithTheEnergyOfTheResult) {
   for (const Parameters& p : all_kinds()) {
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     const Trajectory t = filmed(p, 1000 * show_time(p, c), 3);
     double energy = 0.0, momentum = 0.0;
     for (std::size_t i = 0; i < 10; ++i) {
@@ -143,7 +143,7 @@ TEST(Trajectory, MomentumChangesAtTheWallOnly) {
     Parameters p = figure_1(1e-5);
     p.width = width;
     p.random_separation = width > 0.0 ? Flag::yes : Flag::no;
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     const double duration = show_time(p, c);
     const auto samples = static_cast<std::size_t>(50 * duration / p.tc);  // a contact with the wall takes some tc
     const Trajectory t = filmed(p, duration, samples);
@@ -204,7 +204,7 @@ TEST(Trajectory, SamplesDoNotDependOnOneAnother) {
 
 TEST(Trajectory, ShowTime) {
   const Parameters soft = figure_1(1e-6), hard = figure_1(0.0, Method::ed);
-  Collision c;
+  SimulationResult c;
   EXPECT_TRUE(std::isnan(show_time(soft, c)));
   c.t_k = 4e-5;
   EXPECT_NEAR(show_time(soft, c), 1.5 * (5e-6 + 4e-5), 1e-18);

@@ -8,10 +8,10 @@ namespace sigmasweep {
 
 /// How long one collision may be computed: until the thread that made this has used so much CPU time on it, or until
 /// somebody wants to stop. The solvers ask in their loops. One for each collision, used by one thread.
-class Patience {
+class ComputeBudget {
  public:
   /// `limit`: s. `stop` is called every 20 ms or so; what it throws, the solver throws.
-  explicit Patience(double limit, std::function<bool()> stop = {});
+  explicit ComputeBudget(double limit, std::function<bool()> stop = {});
 
   /// Whether to give up; from the first yes on always. `work`: what was done since the last question, in contacts moved
   /// by a step. The clock is looked at after each 10,000 of these, a fraction of a millisecond in double.

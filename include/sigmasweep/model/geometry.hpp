@@ -14,7 +14,7 @@ constexpr bool is_lattice(const Parameters& p) {
 
 /// A step of complete(), for what vibrates: alpha = A0 (2 pi f)^2/g and A0, the missing one from the other. Where
 /// both are there and differ A0 counts. What is complete already stays as it is, to the bit.
-void give_plate(Parameters& parameters);
+void derive_plate_motion(Parameters& parameters);
 
 /// A0 sin(2 pi f t), Eq. (1), m; t in s. Of complete parameters.
 double plate_height(const Parameters& parameters, double t);

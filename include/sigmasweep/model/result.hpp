@@ -53,7 +53,7 @@ struct Vibration {
 
 /// What one collision of a column gave. A plain value of fixed size, sent and stored as it is.
 /// Where there is no result every number is NaN, but for predicted_growth.
-struct Collision {
+struct SimulationResult {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   double eps_eff = nan;        ///< sqrt(E_f/E_0), effective restitution
   double eps_eff_error = nan;  ///< estimate of its absolute error

@@ -25,7 +25,7 @@ struct Timing {
 struct Row {
   std::uint64_t index = 0;
   Parameters parameters;
-  Collision collision;
+  SimulationResult result;
   Timing timing;
 };
 

@@ -12,10 +12,10 @@ namespace sigmasweep {
 ///                          # lattices, and of what vibrates 10 periods (show_time())
 ///     where    = "N == 10" # which rows: a condition on the parameters; without it all
 struct TrajectorySpec {
-  static constexpr std::uint64_t most_files = 10'000;
+  static constexpr std::uint64_t max_files = 10'000;
   std::uint64_t samples = 1001;
   double duration = 0.0;            ///< s; 0: show_time() of each row
-  std::vector<std::uint64_t> rows;  ///< at most most_files
+  std::vector<std::uint64_t> rows;  ///< at most max_files
 };
 
 }  // namespace sigmasweep

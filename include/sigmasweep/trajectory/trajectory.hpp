@@ -46,7 +46,7 @@ Trajectory record(const Parameters& parameters, std::span<const double> times);
 /// times N tc, the duration of the soft column's contact. Of lattices not longer than 3 rows (tc + (s0 + width)/v0)
 /// after the first contact, in which the lattice closes and opens again: single beads come back to the wall much later.
 /// What vibrates: ten periods. s; NaN where there is no result.
-double show_time(const Parameters& parameters, const Collision& collision);
+double show_time(const Parameters& parameters, const SimulationResult& collision);
 
 /// `count` >= 2 times from 0 to `duration`, both included, evenly spaced.
 std::vector<double> sample_times(double duration, std::size_t count);

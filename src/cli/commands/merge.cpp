@@ -36,7 +36,7 @@ bool same_bits(const Row& a, const Row& b) {
   });
 }
 
-bool is_there(const Row& row) { return row.collision.status != Status::not_run; }
+bool is_there(const Row& row) { return row.result.status != Status::not_run; }
 
 /// Puts the rows of `part` to the others. Throws where a row is there already and is not the same.
 void add(std::vector<Row>& rows, const Table& part, const std::string& path) {
@@ -104,7 +104,7 @@ int merge(const MergeOptions& options) {
   if (!options.quiet)
     fmt::print(stderr, "{}: {} rows from {} tables\n{}", options.output, rows.size(), options.parts.size(),
                summary(rows, Work{}, 1, 0.0));
-  return std::ranges::all_of(rows, [](const Row& row) { return is_success(row.collision.status); }) ? 0 : 1;
+  return std::ranges::all_of(rows, [](const Row& row) { return is_success(row.result.status); }) ? 0 : 1;
 }
 
 }  // namespace sigmasweep

@@ -49,7 +49,7 @@ std::string readable(const Field& field, const Row& row) {
 
 /// What has an error comes with it.
 std::string with_error(const Field& field, const Row& row) {
-  const Collision& c = row.collision;
+  const SimulationResult& c = row.result;
   if (field.name == "eps_eff") return fmt::format("{:.12g} +- {:.1g}", c.eps_eff, c.eps_eff_error);
   if (field.name == "h_cm") return fmt::format("{:.8g} +- {:.1g} m", c.vibration.h_cm, c.vibration.h_cm_error);
   return readable(field, row);
@@ -88,12 +88,12 @@ int one(const OneOptions& options) {
     if (column || follows || options.given.contains(field.name)) columns.push_back(field);
   }
   for (const Field& field : result_fields())
-    if (is_used(field, row.parameters)) columns.push_back(field);
+    if (applies_to(field, row.parameters)) columns.push_back(field);
   if (options.json)
     fmt::print("{}\n", json_of(columns, row).dump(2));
   else
     print_result(columns, row);
-  return is_success(row.collision.status) ? 0 : 1;
+  return is_success(row.result.status) ? 0 : 1;
 }
 
 }  // namespace sigmasweep

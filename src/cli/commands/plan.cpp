@@ -18,12 +18,12 @@ struct Plan {
   bool sampled = false;
 };
 
-constexpr std::uint64_t most_rows = 1'000'000, samples = 200'000;
+constexpr std::uint64_t max_rows = 1'000'000, samples = 200'000;
 
 /// Every row, or of a huge sweep rows spread evenly, each with its share of the total.
 Plan plan_of(const Sweep& sweep, int ranks) {
   Plan plan;
-  plan.sampled = sweep.size() > most_rows;
+  plan.sampled = sweep.size() > max_rows;
   const std::uint64_t count = plan.sampled ? samples : sweep.size();
   // The k-th of `count` equal parts of the sweep; the golden ratio moves the place within the part about, so that the
   // sample does not keep step with the axes.

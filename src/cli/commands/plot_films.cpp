@@ -42,7 +42,7 @@ void plot_films(const StoredSweep& stored, const PlotSpec& spec, const std::stri
     const auto place = stored.table.info.slice.place(k);
     if (!place) continue;
     const Row& row = stored.table.rows[*place];
-    if (std::isfinite(show_time(row.parameters, row.collision)) && chosen(row)) rows.push_back(row);
+    if (std::isfinite(show_time(row.parameters, row.result)) && chosen(row)) rows.push_back(row);
   }
   if (spec.mean_over.empty()) require_room_for(rows.size());
   std::vector<Panel> panels;

@@ -93,7 +93,7 @@ int show(const ShowOptions& options) {
   std::vector<const Row*> rows;
   std::size_t matching = 0;
   for (const Row& row : stored.table.rows) {
-    if ((options.failed && is_success(row.collision.status)) || (where && !(*where)(row))) continue;
+    if ((options.failed && is_success(row.result.status)) || (where && !(*where)(row))) continue;
     if (++matching <= limit || limit == 0) rows.push_back(&row);
   }
   if (options.json)

@@ -93,7 +93,7 @@ bool Manager::wants_chunk(const Worker& worker) const {
 }
 
 std::span<const std::uint64_t> Manager::next_piece() {
-  if (piece_.empty()) piece_ = job_.most_seconds ? schedule_.next(job_.most_seconds()) : schedule_.next();
+  if (piece_.empty()) piece_ = job_.max_seconds ? schedule_.next(job_.max_seconds()) : schedule_.next();
   const auto rows = piece_.first(std::min(max_piece_rows, piece_.size()));
   piece_ = piece_.subspan(rows.size());
   return rows;

@@ -148,11 +148,11 @@ std::string panel_script(const Panel& panel, std::size_t number, std::span<const
 
 void require_room_for(std::size_t panels) {
   if (panels == 0) throw UsageError("plot: there are no trajectories to draw");
-  if (panels <= most_panels) return;
+  if (panels <= max_panels) return;
   throw UsageError(
       fmt::format("plot: {} trajectories, but at most {} find room on a picture: choose with 'where' in "
                   "[plot]",
-                  panels, most_panels));
+                  panels, max_panels));
 }
 
 void plot_trajectories(std::span<const Panel> panels, std::size_t columns, std::span<const std::string> differ,

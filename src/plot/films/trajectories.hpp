@@ -17,7 +17,7 @@ struct Panel {
 };
 
 /// How many panels find room on a picture. Throws UsageError for more, or none.
-inline constexpr std::size_t most_panels = 24;
+inline constexpr std::size_t max_panels = 24;
 void require_room_for(std::size_t panels);
 
 /// Draws the reduced heights of all beads against time, a panel for each collision, as the paper's Fig. 1: panels from

@@ -24,13 +24,13 @@ Outcome<double> follow(const Parameters& p, const Column<double>& column, const 
                        Watcher& watcher) {
   const Plate plate = Plate::of(p, vibration_units(p));
   if (p.integrator != Integrator::exact)
-    return follow_by_fixed_steps(column, plate, p.integrator, 1.0 / p.steps_per_tc, watcher, options.patience);
+    return follow_by_fixed_steps(column, plate, p.integrator, 1.0 / p.steps_per_tc, watcher, options.budget);
   if (!column.exponents.linear()) {
     const NonlinearOptions nonlinear{
         .accuracy = 1e-12 * plate.A0 * plate.omega,  // in units of the plate's speed, not of v0
         .event_limit = options.event_limit,
         .work_limit = options.work_limit,
-        .patience = options.patience};
+        .budget = options.budget};
     return NonlinearColumn<double, Plate>(column, nonlinear, plate).follow(watcher);
   }
   constexpr int order = TaylorOrder<double>::value;
@@ -40,19 +40,19 @@ Outcome<double> follow(const Parameters& p, const Column<double>& column, const 
 
 }  // namespace
 
-Collision simulate_vibrated_soft_spheres(const Parameters& p, Patience* patience) {
+SimulationResult simulate_vibrated_soft_spheres(const Parameters& p, ComputeBudget* budget) {
   const VibrationUnits units = vibration_units(p);
   const auto column = reduced_column<double>(p);
   VibrationStatistics statistics(p, column, Plate::of(p, units), units);
   ExactOptions options = limits(p, static_cast<double>(p.periods));
-  options.patience = patience;
+  options.budget = budget;
   const Outcome<double> outcome = follow(p, column, options, statistics);
   return vibrated_result(outcome, statistics, units);
 }
 
-void watch_vibrated_soft_spheres(const Parameters& p, VibratedSamples& samples) {
-  constexpr double most_periods = 1e6;
-  follow(p, reduced_column<double>(p), limits(p, most_periods), samples);
+void observe_vibrated_soft_spheres(const Parameters& p, VibratedSamples& samples) {
+  constexpr double max_periods = 1e6;
+  follow(p, reduced_column<double>(p), limits(p, max_periods), samples);
 }
 
 }  // namespace sigmasweep

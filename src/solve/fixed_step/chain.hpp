@@ -13,11 +13,11 @@
 namespace sigmasweep {
 
 /// One number a contact, padded to whole vectors of the machine, with room on either side for a stencil.
-class Lanes {
+class AlignedLanes {
  public:
   static constexpr std::size_t width = 4;
   static constexpr std::size_t padded(std::size_t contacts) { return (contacts + width - 1) / width * width; }
-  explicit Lanes(std::size_t contacts, double value = 0.0) : data_(padded(contacts) + 2 * width, value) {}
+  explicit AlignedLanes(std::size_t contacts, double value = 0.0) : data_(padded(contacts) + 2 * width, value) {}
   double* data() { return data_.data() + width; }
   const double* data() const { return data_.data() + width; }
   double& operator[](std::size_t k) { return data()[k]; }
@@ -41,7 +41,7 @@ struct ChainCoupling {
     }
   };
   View view() const { return {g.data()}; }
-  Lanes g;
+  AlignedLanes g;
 };
 /// Beads of masses m_k, bead k-1 below contact k and bead k above it (1/m = 0 for the wall):
 ///     x_k'' = (F_(k-1) - F_k)/m_(k-1) + (F_(k+1) - F_k)/m_k.
@@ -60,7 +60,7 @@ struct ChainCoupling<true> {
     }
   };
   View view() const { return {below.data(), above.data()}; }
-  Lanes below, above;
+  AlignedLanes below, above;
 };
 
 /// The column's equation of motion for its overlaps x_k, k = 0 (the wall) to N-1, with u_k = x_k', coupled as above by
@@ -74,7 +74,7 @@ struct Chain {
 
   Chain(const Column<double>& column, double dt, const Ground& ground = {})
       : contacts(column.contacts()),
-        blocks(Lanes::padded(contacts) / Lanes::width),
+        blocks(AlignedLanes::padded(contacts) / AlignedLanes::width),
         force(column.exponents),
         coupling(column),
         K(contacts),
@@ -113,8 +113,8 @@ struct Chain {
   }
 
   /// x'' at the start, where the plate's load acts from the first moment on.
-  Lanes first_acceleration() const requires driven {
-    Lanes F(contacts), a(contacts);
+  AlignedLanes first_acceleration() const requires driven {
+    AlignedLanes F(contacts), a(contacts);
     forces(x.data(), u.data(), F.data());
     drive(F.data(), 0.0);
     const auto view = coupling.view();
@@ -130,12 +130,12 @@ struct Chain {
   }
 
   std::size_t contacts, blocks;
-  std::size_t components() const { return contacts; }          // of x and u
-  std::size_t lanes() const { return blocks * Lanes::width; }  // whole vectors, and the compiler sees it
+  std::size_t components() const { return contacts; }                 // of x and u
+  std::size_t lanes() const { return blocks * AlignedLanes::width; }  // whole vectors, and the compiler sees it
   Force force;
   ChainCoupling<Uneven> coupling;
-  Lanes K, C;
-  Lanes x, u;  ///< at the start
+  AlignedLanes K, C;
+  AlignedLanes x, u;  ///< at the start
   double speed;
 
  private:

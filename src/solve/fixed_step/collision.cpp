@@ -12,29 +12,28 @@ namespace sigmasweep {
 
 namespace {
 
-constexpr double hopeless = 1e5;  // growth in one tc
-constexpr double dense = 0.1;     // sigma up to which the column is closed as a whole for a while
-constexpr double fewest_steps = 20.0, most_steps = 1e6;  // a tc
-constexpr double most_work = 1e9;                        // steps times contacts of a collision
-constexpr double margin = 1.2, least_factor = 1.5, most_factor = 16.0;
+constexpr double hopeless = 1e5;                        // growth in one tc
+constexpr double dense = 0.1;                           // sigma up to which the column is closed as a whole for a while
+constexpr double fewest_steps = 20.0, max_steps = 1e6;  // a tc
+constexpr double max_work = 1e9;                        // steps times contacts of a collision
+constexpr double margin = 1.2, least_factor = 1.5, max_factor = 16.0;
 
 /// The collision in steps of tc/steps_per_tc, without an error. At most `work`, beads times steps; 0: some minutes.
-Collision stepped(const Parameters& p, double work, Patience* patience) {
+SimulationResult stepped(const Parameters& p, double work, ComputeBudget* budget) {
   const double dt = 1.0 / p.steps_per_tc, settle = 1e-3 * p.tolerance;
   if (is_lattice(p)) {
     const auto lattice = reduced_lattice<double>(p);
-    const LatticeOptions options{
-        .settle = settle, .work_limit = static_cast<std::uint64_t>(work), .patience = patience};
+    const LatticeOptions options{.settle = settle, .work_limit = static_cast<std::uint64_t>(work), .budget = budget};
     const auto outcome = fixed_step_lattice_collision(lattice, p.integrator, dt, options);
     return in_si_with(energies(lattice, outcome.velocity), outcome, p);
   }
   const auto column = reduced_column<double>(p);
-  const FixedStepOptions options{.settle = settle, .step_limit = work / static_cast<double>(p.N), .patience = patience};
-  return in_si<double>(fixed_step_collision(column, p.integrator, dt, options), p, column.mass);
+  const FixedStepOptions options{.settle = settle, .step_limit = work / static_cast<double>(p.N), .budget = budget};
+  return to_si_result<double>(fixed_step_collision(column, p.integrator, dt, options), p, column.mass);
 }
 
 /// With the distance to the exact result as the error.
-Collision compared(Collision c, const Collision& exact) {
+SimulationResult compared(SimulationResult c, const SimulationResult& exact) {
   if (!is_success(c.status)) return c;
   // Both lie between 0 and 1 where nothing better is known.
   const double worst = std::max(c.eps_eff, std::fabs(1.0 - c.eps_eff));
@@ -43,9 +42,9 @@ Collision compared(Collision c, const Collision& exact) {
   return c;
 }
 
-Collision exact_of(Parameters p, Patience* patience) {
+SimulationResult exact_of(Parameters p, ComputeBudget* budget) {
   p.integrator = Integrator::exact;
-  return simulate(p, patience);
+  return simulate(p, budget);
 }
 
 /// Beads that meet one by one are stable where the closed column is not, and of a lattice's motions some may never
@@ -57,54 +56,54 @@ bool is_hopeless(const Parameters& p) {
   return growth_in_a_contact(closed_contacts(column), p.integrator, 1.0 / p.steps_per_tc) > hopeless;
 }
 
-Collision with_given_steps(const Parameters& p, Patience* patience) {
-  Collision c;
+SimulationResult with_given_steps(const Parameters& p, ComputeBudget* budget) {
+  SimulationResult c;
   c.status = Status::unstable;
-  if (!is_hopeless(p)) c = stepped(p, 0.0, patience);
-  if (is_success(c.status)) c = compared(c, exact_of(p, patience));
+  if (!is_hopeless(p)) c = stepped(p, 0.0, budget);
+  if (is_success(c.status)) c = compared(c, exact_of(p, budget));
   c.predicted_growth = predicted_growth(p);
   return c;
 }
 
 struct Choice {
-  Collision collision;
+  SimulationResult result;
   double steps_per_tc = fewest_steps;
 };
 
-Choice with_chosen_steps(Parameters p, Patience* patience) {
+Choice with_chosen_steps(Parameters p, ComputeBudget* budget) {
   const double tolerance = p.tolerance;
   p.tolerance = std::max(0.1 * tolerance, 1e-15);
-  const Collision exact = exact_of(p, patience);
+  const SimulationResult exact = exact_of(p, budget);
   p.tolerance = tolerance;
   const ClosedContacts closed = closed_contacts(p);
   p.steps_per_tc = fewest_steps;
-  while (p.steps_per_tc < most_steps && !is_stable(closed, p.integrator, 1.0 / p.steps_per_tc)) p.steps_per_tc *= 1.25;
+  while (p.steps_per_tc < max_steps && !is_stable(closed, p.integrator, 1.0 / p.steps_per_tc)) p.steps_per_tc *= 1.25;
 
   const auto with_growth = [&](Choice choice) {
-    choice.collision.predicted_growth = predicted_growth(closed, p.integrator, 1.0 / choice.steps_per_tc);
+    choice.result.predicted_growth = predicted_growth(closed, p.integrator, 1.0 / choice.steps_per_tc);
     return choice;
   };
   Choice best;
-  best.collision.status = Status::unstable;
-  for (double factor = 1.0; p.steps_per_tc <= most_steps; p.steps_per_tc *= factor) {
-    const Collision c = compared(stepped(p, most_work, patience), exact);
-    const bool is_better = is_success(c.status) && !(c.eps_eff_error >= best.collision.eps_eff_error);
-    if (is_better || !is_success(best.collision.status)) best = {c, p.steps_per_tc};
-    if (best.collision.eps_eff_error <= tolerance) return with_growth(best);
+  best.result.status = Status::unstable;
+  for (double factor = 1.0; p.steps_per_tc <= max_steps; p.steps_per_tc *= factor) {
+    const SimulationResult c = compared(stepped(p, max_work, budget), exact);
+    const bool is_better = is_success(c.status) && !(c.eps_eff_error >= best.result.eps_eff_error);
+    if (is_better || !is_success(best.result.status)) best = {c, p.steps_per_tc};
+    if (best.result.eps_eff_error <= tolerance) return with_growth(best);
     const bool goes_on = is_success(c.status) || c.status == Status::unstable;
     if (!goes_on || !(exact.eps_eff_error < tolerance)) break;
-    factor = is_success(c.status) ? std::clamp(margin * c.eps_eff_error / tolerance, least_factor, most_factor)
+    factor = is_success(c.status) ? std::clamp(margin * c.eps_eff_error / tolerance, least_factor, max_factor)
                                   : least_factor;
   }
-  if (is_success(best.collision.status)) best.collision.status = Status::tolerance_missed;
+  if (is_success(best.result.status)) best.result.status = Status::tolerance_missed;
   return with_growth(best);
 }
 
 }  // namespace
 
-Collision simulate_fixed_step(const Parameters& parameters, Patience* patience) {
-  if (parameters.steps_per_tc > 0.0) return with_given_steps(parameters, patience);
-  return with_chosen_steps(parameters, patience).collision;
+SimulationResult simulate_fixed_step(const Parameters& parameters, ComputeBudget* budget) {
+  if (parameters.steps_per_tc > 0.0) return with_given_steps(parameters, budget);
+  return with_chosen_steps(parameters, budget).result;
 }
 
 double steps_taken(const Parameters& parameters) {

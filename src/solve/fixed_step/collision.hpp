@@ -12,11 +12,11 @@
 namespace sigmasweep {
 
 struct FixedStepOptions {
-  double settle = 1e-13;           ///< stop once later contacts can change eps_eff by less than this; 0: never
-  double step_limit = 0.0;         ///< steps before giving up; 0: 1e11/N, some minutes
-  bool skip_free_flight = true;    ///< cross free flight in one go, by a whole number of steps; for tests
-  std::uint64_t* steps = nullptr;  ///< if given: set to the number of steps made, crossed ones not counted
-  Patience* patience = nullptr;    ///< asked now and then; Status::time_limit where it is over
+  double settle = 1e-13;            ///< stop once later contacts can change eps_eff by less than this; 0: never
+  double step_limit = 0.0;          ///< steps before giving up; 0: 1e11/N, some minutes
+  bool skip_free_flight = true;     ///< cross free flight in one go, by a whole number of steps; for tests
+  std::uint64_t* steps = nullptr;   ///< if given: set to the number of steps made, crossed ones not counted
+  ComputeBudget* budget = nullptr;  ///< asked now and then; Status::time_limit where it is over
 };
 
 /// One collision with time step `dt`, in the column's units. `integrator`: gear5, verlet or rk4. A contact is closed
@@ -33,7 +33,7 @@ Outcome<double> fixed_step_collision(const Column<double>& column, Integrator in
 /// With steps_per_tc = 0 the step is chosen: from the longest stable one, or tc/20, on it is shortened, the error taken
 /// as of first order in it, until eps_eff_error is within the tolerance. Status::tolerance_missed with the smallest
 /// error found where steps of tc/1e6, or 1e9/N steps a collision (ten seconds), are not enough.
-Collision simulate_fixed_step(const Parameters& parameters, Patience* patience = nullptr);
+SimulationResult simulate_fixed_step(const Parameters& parameters, ComputeBudget* budget = nullptr);
 
 /// The steps_per_tc that simulate_fixed_step() takes: those given, or what it chose.
 double steps_taken(const Parameters& parameters);

@@ -12,8 +12,8 @@ namespace sigmasweep {
 
 namespace {
 
-/// Steps a scheme from the start to the end of a collision and keeps the record. Watcher: Nobody or Samples, with whose
-/// last sample it may end.
+/// Steps a scheme from the start to the end of a collision and keeps the record. Watcher: NullObserver or Samples, with
+/// whose last sample it may end.
 template <class Chain, template <class> class Scheme, class Watcher>
 class Run {
  public:
@@ -37,16 +37,16 @@ class Run {
       advance();
       if (++steps_ % 16 == 0) {
         check_energy();
-        if (options_.patience && options_.patience->is_over(16 * chain_.contacts) && outcome_.status == Status::ok)
+        if (options_.budget && options_.budget->is_over(16 * chain_.contacts) && outcome_.status == Status::ok)
           outcome_.status = Status::time_limit;
       }
       if (steps_ % 65536 == 0) check_creep();
       if (static_cast<double>(steps_) > options_.step_limit && outcome_.status == Status::ok)
         outcome_.status = Status::event_limit;
-      if constexpr (Watcher::watches)
+      if constexpr (Watcher::observes)
         if (watcher_.done()) break;
     }
-    if constexpr (Watcher::watches)
+    if constexpr (Watcher::observes)
       if (outcome_.end != End::none) show_free_flight();
     if (outcome_.status == Status::ok) check_energy();
     return result();
@@ -111,12 +111,12 @@ class Run {
   }
 
   void remember_rates() {
-    if constexpr (Watcher::watches) rates_before_.assign(scheme_.u(), scheme_.u() + chain_.contacts);
+    if constexpr (Watcher::observes) rates_before_.assign(scheme_.u(), scheme_.u() + chain_.contacts);
   }
 
   /// Shows the watcher the steps just done.
   void show(double steps) {
-    if constexpr (Watcher::watches)
+    if constexpr (Watcher::observes)
       watcher_.until(now_ * dt_, [&](double t, auto x, auto u) {
         for (std::size_t k = 0; k < chain_.contacts; ++k) {
           const BetweenSteps now(1.0 - (now_ - t / dt_) / steps, steps, before_[k], rates_before_[k], scheme_.x()[k],
@@ -190,7 +190,7 @@ class Run {
   double dt_;
   Chain chain_;
   Scheme<Chain> scheme_;
-  Lanes before_, deepest_;
+  AlignedLanes before_, deepest_;
   Watcher& watcher_;
   std::vector<double> rates_before_;  ///< for the watcher
   double now_ = 0.0;                  ///< time in steps, crossed ones included
@@ -215,11 +215,11 @@ Outcome<double> watched_by(Watcher& watcher, const Column<double>& column, Integ
 
 Outcome<double> fixed_step_collision(const Column<double>& column, Integrator integrator, double dt,
                                      const FixedStepOptions& options) {
-  Nobody nobody;
+  NullObserver nobody;
   return watched_by(nobody, column, integrator, dt, options);
 }
 
-void watch_fixed_step(const Column<double>& column, Integrator integrator, double dt, Samples& samples) {
+void observe_fixed_step(const Column<double>& column, Integrator integrator, double dt, Samples& samples) {
   watched_by(samples, column, integrator, dt, {.settle = 0.0});  // to the last sample
 }
 

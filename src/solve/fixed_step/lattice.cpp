@@ -13,10 +13,10 @@ namespace sigmasweep {
 namespace {
 
 constexpr std::uint64_t steps_between_checks = 16, steps_between_outlooks = 64;
-constexpr double most_work = 1e10;  // steps times beads of a collision: some minutes
+constexpr double max_work = 1e10;  // steps times beads of a collision: some minutes
 
 /// Steps a lattice from the start to the end of a collision and keeps the record, as Run (fixed_step.cpp) does a
-/// column. Watcher: Nobody or LatticeSamples.
+/// column. Watcher: NullObserver or LatticeSamples.
 template <class Steps, class Watcher>
 class LatticeRun {
  public:
@@ -30,7 +30,7 @@ class LatticeRun {
         watcher_(watcher) {
     const auto N = static_cast<double>(lattice.count());
     if (options_.event_limit == 0) options_.event_limit = 100'000 + 1'000 * lattice.count();
-    step_limit_ = (options_.work_limit == 0 ? most_work : static_cast<double>(options_.work_limit)) / N;
+    step_limit_ = (options_.work_limit == 0 ? max_work : static_cast<double>(options_.work_limit)) / N;
     quiet_ = lattice.quiet_time() / dt;
     lowest_energy_ = start_energy_ = steps_.energy();
   }
@@ -44,10 +44,10 @@ class LatticeRun {
       if (made % steps_between_outlooks == 0 && is_on()) look_ahead();
       if (outcome_.contacts > options_.event_limit || static_cast<double>(made) > step_limit_)
         give_up(Status::event_limit);
-      if constexpr (Watcher::watches)
+      if constexpr (Watcher::observes)
         if (watcher_.done()) break;
     }
-    if constexpr (Watcher::watches)
+    if constexpr (Watcher::observes)
       if (outcome_.end != End::none) show_free_flight();
     check_energy();
     return result();
@@ -146,7 +146,7 @@ class LatticeRun {
 
   void check() {
     check_energy();
-    if (options_.patience && options_.patience->is_over(steps_between_checks * steps_.contacts().size()))
+    if (options_.budget && options_.budget->is_over(steps_between_checks * steps_.contacts().size()))
       give_up(Status::time_limit);
   }
 
@@ -161,10 +161,10 @@ class LatticeRun {
   }
 
   void remember() {
-    if constexpr (Watcher::watches) steps_.remember();
+    if constexpr (Watcher::observes) steps_.remember();
   }
   void show(double steps) {
-    if constexpr (Watcher::watches)
+    if constexpr (Watcher::observes)
       watcher_.until(now_ * dt_,
                      [&](double t, auto q, auto v) { steps_.between(1.0 - (now_ - t / dt_) / steps, steps, q, v); });
   }
@@ -220,12 +220,12 @@ LatticeOutcome<double> fixed_step_lattice_collision(const Lattice<double>& latti
 
 LatticeOutcome<double> fixed_step_lattice_collision(const Lattice<double>& lattice, Integrator integrator, double dt,
                                                     const LatticeOptions& options, FreeFlight free_flight) {
-  Nobody nobody;
+  NullObserver nobody;
   return watched_by(nobody, lattice, integrator, dt, options, free_flight);
 }
 
-void watch_fixed_step_lattice(const Lattice<double>& lattice, Integrator integrator, double dt,
-                              LatticeSamples& samples) {
+void observe_fixed_step_lattice(const Lattice<double>& lattice, Integrator integrator, double dt,
+                                LatticeSamples& samples) {
   watched_by(samples, lattice, integrator, dt, {.settle = 0.0});
 }
 

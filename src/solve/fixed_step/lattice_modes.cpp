@@ -14,21 +14,21 @@
 namespace sigmasweep {
 namespace {
 
-constexpr std::int64_t most_beads = 40;  // in a row, and rows: more change eigenvalues by less than 0.2 %
+constexpr std::int64_t max_beads = 40;  // in a row, and rows: more change eigenvalues by less than 0.2 %
 constexpr int iterations = 200;
-constexpr std::array<LatticeShares, 4> weights{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}}};
+constexpr std::array<ModalCoefficients, 4> weights{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}}};
 
 /// Two beads on their sites, or a bead and a wall.
 struct Contact {
   std::size_t i, j;  ///< j == i: a wall
   Vec2<double> n;
-  LatticeShares of;  ///< its own spring and dashpots
+  ModalCoefficients of;  ///< its own spring and dashpots
 };
 
 class ClosedLattice {
  public:
   explicit ClosedLattice(const Lattice<double>& lattice)
-      : lattice_(lattice), rows_(std::min(lattice.rows, most_beads)), columns_(std::min(lattice.columns, most_beads)) {
+      : lattice_(lattice), rows_(std::min(lattice.rows, max_beads)), columns_(std::min(lattice.columns, max_beads)) {
     for (std::int64_t row = 0; row < rows_; ++row)
       for (std::int64_t place = 0; place < columns_; ++place) {
         inverse_root_.push_back(1.0 / std::sqrt(mass(row, place)));
@@ -37,7 +37,7 @@ class ClosedLattice {
   }
 
   /// Power iteration for the motion with the largest weighted sum.
-  LatticeShares largest(const LatticeShares& weight) const {
+  ModalCoefficients largest(const ModalCoefficients& weight) const {
     std::vector<Vec2<double>> y;
     for (std::uint64_t i = 0; i < inverse_root_.size(); ++i)
       y.push_back({unit_interval(random_bits(1, 2 * i)) - 0.5, unit_interval(random_bits(1, 2 * i + 1)) - 0.5});
@@ -84,7 +84,7 @@ class ClosedLattice {
     const Vec2<double> x = inverse_root_[c.i] * y[c.i];
     return c.j == c.i ? x : x - inverse_root_[c.j] * y[c.j];
   }
-  std::vector<Vec2<double>> forces(const std::vector<Vec2<double>>& y, const LatticeShares& weight) const {
+  std::vector<Vec2<double>> forces(const std::vector<Vec2<double>>& y, const ModalCoefficients& weight) const {
     std::vector<Vec2<double>> sum(y.size());
     for (const Contact& c : contacts_) {
       const Vec2<double> w = relative(c, y);
@@ -96,8 +96,8 @@ class ClosedLattice {
     }
     return sum;
   }
-  LatticeShares shares(const std::vector<Vec2<double>>& y) const {
-    LatticeShares sum;
+  ModalCoefficients shares(const std::vector<Vec2<double>>& y) const {
+    ModalCoefficients sum;
     for (const Contact& c : contacts_) {
       const Vec2<double> w = relative(c, y);
       const double along = dot(c.n, w) * dot(c.n, w), across = dot(w, w) - along;
@@ -120,20 +120,20 @@ class ClosedLattice {
   std::vector<Contact> contacts_;
 };
 
-std::vector<LatticeShares> found(const Lattice<double>& lattice) {
+std::vector<ModalCoefficients> found(const Lattice<double>& lattice) {
   const ClosedLattice closed(lattice);
-  std::vector<LatticeShares> shares;
-  for (const LatticeShares& weight : weights) shares.push_back(closed.largest(weight));
+  std::vector<ModalCoefficients> shares;
+  for (const ModalCoefficients& weight : weights) shares.push_back(closed.largest(weight));
   return shares;
 }
 
 }  // namespace
 
 /// Milliseconds, and a sweep has few lattices of equal beads, each many times over.
-std::vector<LatticeShares> largest_shares(const Lattice<double>& lattice) {
+std::vector<ModalCoefficients> largest_shares(const Lattice<double>& lattice) {
   if (!lattice.beads.is_uniform()) return found(lattice);
   constexpr std::size_t most = 256;
-  thread_local std::map<std::tuple<std::int64_t, std::int64_t, bool, double>, std::vector<LatticeShares>> known;
+  thread_local std::map<std::tuple<std::int64_t, std::int64_t, bool, double>, std::vector<ModalCoefficients>> known;
   const std::tuple key(lattice.rows, lattice.columns, lattice.periodic, lattice.beads.K_wall / lattice.beads.K);
   if (const auto before = known.find(key); before != known.end()) return before->second;
   if (known.size() >= most) known.clear();

@@ -49,8 +49,8 @@ class LatticeMotion {
       for (std::size_t k = 1; k < components_; k += 2) a[k] -= load;
     }
   }
-  Lanes first_acceleration() const requires driven {
-    Lanes a(components_);
+  AlignedLanes first_acceleration() const requires driven {
+    AlignedLanes a(components_);
     forces(x.data(), u.data(), a.data());
     drive(a.data(), 0.0);
     return a;
@@ -63,9 +63,9 @@ class LatticeMotion {
   Coupling coupling;
   std::nullptr_t contact() const { return nullptr; }
   std::size_t components() const { return components_; }
-  std::size_t lanes() const { return Lanes::padded(components_); }
+  std::size_t lanes() const { return AlignedLanes::padded(components_); }
 
-  Lanes x, u;  ///< displacements and velocities at the start
+  AlignedLanes x, u;  ///< displacements and velocities at the start
   double speed;
 
  private:

@@ -127,7 +127,7 @@ ClosedContacts closed_contacts(const Lattice<double>& lattice) {
   const Column<double>& beads = lattice.beads;
   const Mode single = about_overlap(beads);
   ClosedContacts closed{{}, beads.tc, static_cast<double>(lattice.rows)};
-  for (const LatticeShares& most : largest_shares(lattice))
+  for (const ModalCoefficients& most : largest_shares(lattice))
     closed.modes.push_back(
         {most.spring * single.k * beads.K, most.dashpot * single.c * beads.C + most.friction * lattice.D_t});
   return closed;
@@ -163,9 +163,9 @@ double predicted_growth(const Parameters& p) {
 }
 
 bool is_stable(const ClosedContacts& closed, Integrator integrator, double dt) {
-  return predicted_growth(closed, integrator, dt) <= most_stable_growth;
+  return predicted_growth(closed, integrator, dt) <= max_stable_growth;
 }
 
-bool is_stable(const Parameters& p) { return predicted_growth(p) <= most_stable_growth; }
+bool is_stable(const Parameters& p) { return predicted_growth(p) <= max_stable_growth; }
 
 }  // namespace sigmasweep

@@ -51,7 +51,7 @@ ClosedContacts closed_contacts(const Lattice<double>& lattice);
 ClosedContacts closed_contacts(const Parameters& parameters);
 
 /// Growth up to which it counts as stable: gear5 adds a little even where it is of use.
-inline constexpr double most_stable_growth = 1.05;
+inline constexpr double max_stable_growth = 1.05;
 
 /// What the scheme makes of the most unstable mode's amplitude in N tc, or rows tc, about the duration of a collision;
 /// may be infinite. `dt` in the column's units.

@@ -31,14 +31,14 @@ class PlateRun {
     }
   }
 
-  Outcome<double> operator()(Patience* patience) {
+  Outcome<double> operator()(ComputeBudget* budget) {
     const double start = energy();
     lost_before_ = power_lost();
     in_before_ = power_in(0.0);
     while (!watcher_.done() && outcome_.status == Status::ok) {
       for (double step = 0.0; step < steps_ && outcome_.status == Status::ok; ++step) {
         advance(step);
-        if (patience && patience->is_over(contacts())) outcome_.status = Status::time_limit;
+        if (budget && budget->is_over(contacts())) outcome_.status = Status::time_limit;
       }
       const double gain = energy() - start;
       path_ += 4.0 * plate_.A0;
@@ -119,18 +119,18 @@ class PlateRun {
 
 template <class Watcher>
 Outcome<double> follow_by_fixed_steps(const Column<double>& column, const Plate& plate, Integrator integrator,
-                                      double dt, Watcher& watcher, Patience* patience) {
+                                      double dt, Watcher& watcher, ComputeBudget* budget) {
   const double steps = std::ceil(plate.period() / dt);
   return with_law(column, [&]<class Force, bool Uneven>() {
     return with_scheme(integrator, [&]<template <class> class Scheme>() {
-      return PlateRun<Chain<Force, Uneven, Plate>, Scheme, Watcher>(column, plate, steps, watcher)(patience);
+      return PlateRun<Chain<Force, Uneven, Plate>, Scheme, Watcher>(column, plate, steps, watcher)(budget);
     });
   });
 }
 
 template Outcome<double> follow_by_fixed_steps(const Column<double>&, const Plate&, Integrator, double,
-                                               VibrationStatistics&, Patience*);
+                                               VibrationStatistics&, ComputeBudget*);
 template Outcome<double> follow_by_fixed_steps(const Column<double>&, const Plate&, Integrator, double,
-                                               VibratedSamples&, Patience*);
+                                               VibratedSamples&, ComputeBudget*);
 
 }  // namespace sigmasweep

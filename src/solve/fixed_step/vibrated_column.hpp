@@ -12,6 +12,6 @@ namespace sigmasweep {
 /// short. Outcome: x_max, contacts, end and status; Status::unstable where energy comes out of nothing.
 template <class Watcher>
 Outcome<double> follow_by_fixed_steps(const Column<double>& column, const Plate& plate, Integrator integrator,
-                                      double dt, Watcher& watcher, Patience* patience = nullptr);
+                                      double dt, Watcher& watcher, ComputeBudget* budget = nullptr);
 
 }  // namespace sigmasweep

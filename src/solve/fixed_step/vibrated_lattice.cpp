@@ -23,14 +23,14 @@ class LatticePlateRun {
     for (std::size_t i = 0; i < lattice.count(); ++i) weight_ += plate.g * lattice.mass(i);
   }
 
-  LatticeOutcome<double> operator()(Patience* patience) {
+  LatticeOutcome<double> operator()(ComputeBudget* budget) {
     const double start = energy();
     lost_before_ = steps_.contacts().lost();
     in_before_ = power_in(0.0);
     while (!watcher_.done() && is_on()) {
       for (double step = 0.0; step < steps_per_period_ && is_on(); ++step) {
         advance(step);
-        if (patience && patience->is_over(steps_.contacts().size()) && is_on()) outcome_.status = Status::time_limit;
+        if (budget && budget->is_over(steps_.contacts().size()) && is_on()) outcome_.status = Status::time_limit;
       }
       const double gain = energy() - start;
       path_ += 4.0 * plate_.A0;
@@ -94,19 +94,19 @@ class LatticePlateRun {
 template <class Watcher>
 LatticeOutcome<double> fixed_step_vibrated_lattice(const Lattice<double>& lattice, const Plate& plate,
                                                    Integrator integrator, double dt, Watcher& watcher,
-                                                   Patience* patience) {
+                                                   ComputeBudget* budget) {
   const double steps = std::ceil(plate.period() / dt);
   return with_law(lattice.beads, [&]<class Force, bool Uneven>() {
     return with_scheme(integrator, [&]<template <class> class Scheme>() {
       return LatticePlateRun<LatticeSteps<Force, Uneven, Scheme, Plate>, Watcher>(lattice, plate, steps,
-                                                                                  watcher)(patience);
+                                                                                  watcher)(budget);
     });
   });
 }
 
 template LatticeOutcome<double> fixed_step_vibrated_lattice(const Lattice<double>&, const Plate&, Integrator, double,
-                                                            LatticeStatistics&, Patience*);
+                                                            LatticeStatistics&, ComputeBudget*);
 template LatticeOutcome<double> fixed_step_vibrated_lattice(const Lattice<double>&, const Plate&, Integrator, double,
-                                                            VibratedLatticeSamples&, Patience*);
+                                                            VibratedLatticeSamples&, ComputeBudget*);
 
 }  // namespace sigmasweep

@@ -14,7 +14,7 @@ namespace sigmasweep {
 /// LatticeSamples of a vibrated lattice, whose solvers keep time within the plate's period and say when one is over.
 class VibratedLatticeSamples {
  public:
-  static constexpr bool watches = true;
+  static constexpr bool observes = true;
 
   VibratedLatticeSamples(LatticeSamples& samples, double period) : samples_(samples), period_(period) {}
 
@@ -38,6 +38,6 @@ class VibratedLatticeSamples {
 template <class Watcher>
 LatticeOutcome<double> fixed_step_vibrated_lattice(const Lattice<double>& lattice, const Plate& plate,
                                                    Integrator integrator, double dt, Watcher& watcher,
-                                                   Patience* patience = nullptr);
+                                                   ComputeBudget* budget = nullptr);
 
 }  // namespace sigmasweep

@@ -14,14 +14,14 @@
 namespace sigmasweep {
 
 Outcome<double> hard_sphere_collision(const Column<double>& column, const HardSphereOptions& options) {
-  Nobody nobody;
+  NullObserver nobody;
   Outcome<double> outcome = HardSphereColumn(column, options).run(nobody);
   for (double& v : outcome.velocity) v *= column.speed;
   outcome.t_k *= length_of(column) / column.speed;
   return outcome;
 }
 
-void watch_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples) {
+void observe_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples) {
   HardSphereColumn(column, {.settle = 0.0, .rule = rule}).run(samples);  // to the last sample
 }
 
@@ -44,7 +44,7 @@ Column<Real> twin_of(Column<Real> column) {
 }
 
 struct Computed {
-  Collision collision;
+  SimulationResult result;
   double doubt;  ///< HardSphereColumn::doubt()
 };
 
@@ -53,13 +53,13 @@ Computed computed_in(const Parameters& p, HardSphereOptions options) {
   using std::abs;
   const Column<Real> column = reduced_column<Real>(p);
   const std::span<const Real> mass = column.mass;
-  Nobody nobody;
+  NullObserver nobody;
   HardSphereColumn<Real> run(column, options);
   Outcome<Real> outcome = run.run(nobody);
   outcome.t_k *= length_of(column);
   const bool given_up = outcome.status == Status::event_limit;
   if (given_up) outcome.status = Status::tolerance_missed;  // what is left to dissipate says by how much
-  Collision c = in_si(outcome, p, mass);
+  SimulationResult c = to_si_result(outcome, p, mass);
   const double collisions_per_bead = static_cast<double>(outcome.contacts) / static_cast<double>(p.N);
   Real error = std::numeric_limits<Real>::epsilon() * spread(column.mass) * (4 + collisions_per_bead);
   error += residual_dissipation<Real>(outcome.velocity, Real(1), mass);
@@ -78,8 +78,8 @@ Computed computed_in(const Parameters& p, HardSphereOptions options) {
 }
 
 /// The better of two results. Where the clock was too coarse for both, they differ by what that may matter.
-Collision better_of(const Computed& fast, const Computed& wide, double tolerance) {
-  const Collision &f = fast.collision, &w = wide.collision;
+SimulationResult better_of(const Computed& fast, const Computed& wide, double tolerance) {
+  const SimulationResult &f = fast.result, &w = wide.result;
   const double fast_error = f.eps_eff_error + fast.doubt;
   const double wide_error = w.eps_eff_error + std::min(wide.doubt, std::fabs(f.eps_eff - w.eps_eff));
   return wide_error < fast_error ? with_error(w, wide_error, tolerance) : with_error(f, fast_error, tolerance);
@@ -87,10 +87,10 @@ Collision better_of(const Computed& fast, const Computed& wide, double tolerance
 
 }  // namespace
 
-Collision simulate_hard_spheres(const Parameters& p, Patience* patience) {
-  HardSphereOptions options{.settle = 1e-3 * p.tolerance, .rule = p.ed_rule, .patience = patience};
+SimulationResult simulate_hard_spheres(const Parameters& p, ComputeBudget* budget) {
+  HardSphereOptions options{.settle = 1e-3 * p.tolerance, .rule = p.ed_rule, .budget = budget};
   const Computed fast = computed_in<double>(p, options);
-  const Collision& c = fast.collision;
+  const SimulationResult& c = fast.result;
   const double error = c.eps_eff_error + fast.doubt;
   if (error <= p.tolerance || !(c.contacts <= quad_limit)) return with_error(c, error, p.tolerance);
   options.collision_limit = quad_limit;

@@ -22,7 +22,7 @@ struct HardSphereOptions {
   /// A pair that collides again in next to no time, and by now is slower than this (units v0), will do so for ever:
   /// inelastic collapse.
   double collapsed_speed = 1e-16;
-  Patience* patience = nullptr;  ///< asked now and then; Status::time_limit where it is over
+  ComputeBudget* budget = nullptr;  ///< asked now and then; Status::time_limit where it is over
 };
 
 /// One collision of the column with its restitutions eps and eps_wall; K and C play no role. In units of the gap and
@@ -39,6 +39,6 @@ Outcome<double> hard_sphere_collision(const Column<double>& column, const HardSp
 /// The tuple's collision. eps_eff_error: what the result changes by when eps, and masses and gaps that are not all the
 /// same, change in their last bits (that shows the condition of the problem) and same_time changes, a bound on the
 /// rounding of the collisions, and what is left to dissipate at the end.
-Collision simulate_hard_spheres(const Parameters& parameters, Patience* patience = nullptr);
+SimulationResult simulate_hard_spheres(const Parameters& parameters, ComputeBudget* budget = nullptr);
 
 }  // namespace sigmasweep

@@ -66,7 +66,7 @@ class HardSphereColumn {
     schedule(0);
   }
 
-  /// Seen by a watcher, Nobody or Samples, with whose last sample it may end.
+  /// Seen by a watcher, NullObserver or Samples, with whose last sample it may end.
   template <class Watcher>
   Outcome<Real> run(Watcher& watcher) {
     show(watcher, 0.0);
@@ -75,7 +75,7 @@ class HardSphereColumn {
         outcome_.status = Status::event_limit;
         break;
       }
-      if (options_.patience && options_.patience->is_over(1)) {
+      if (options_.budget && options_.budget->is_over(1)) {
         outcome_.status = Status::time_limit;
         break;
       }
@@ -83,7 +83,7 @@ class HardSphereColumn {
         meet(k);
       else
         advance(watcher);
-      if constexpr (Watcher::watches)
+      if constexpr (Watcher::observes)
         if (watcher.done()) break;
     }
     outcome_.velocity = velocities();
@@ -117,7 +117,7 @@ class HardSphereColumn {
   /// The present flights hold up to and at `time`.
   template <class Watcher>
   void show(Watcher& watcher, const Real& time) const {
-    if constexpr (Watcher::watches)
+    if constexpr (Watcher::observes)
       watcher.until(time, [this](const Real& t, auto x, auto u) {
         for (std::size_t k = 0; k < contacts_; ++k) {
           x[k] = -gap_at(k, t);

@@ -51,7 +51,7 @@ VibratedHardSpheres::VibratedHardSpheres(const Column<double>& column, const Pla
 bool VibratedHardSpheres::gives_up() {
   if (collisions_ - period_began_ >= options_.period_limit || collisions_ >= options_.limit)
     status_ = Status::event_limit;
-  else if (options_.patience && options_.patience->is_over(1))
+  else if (options_.budget && options_.budget->is_over(1))
     status_ = Status::time_limit;
   else
     return false;
@@ -258,7 +258,7 @@ void VibratedHardSpheres::join(std::size_t lowest, const Cluster& cluster) {
   ++collisions_;
 }
 
-/// Nobody collides now. Who rests on the plate, and where does the contact above go?
+/// NullObserver collides now. Who rests on the plate, and where does the contact above go?
 void VibratedHardSpheres::settle() {
   std::size_t beads = 0;
   if (rests(0) && plate_.holds(now_))
@@ -292,9 +292,9 @@ void VibratedHardSpheres::let_rest(std::size_t beads) {
 
 namespace {
 
-VibratedHardSpheres spheres_of(const Parameters& p, const Column<double>& column, Patience* patience) {
+VibratedHardSpheres spheres_of(const Parameters& p, const Column<double>& column, ComputeBudget* budget) {
   const VibrationUnits units = vibration_units(p);
-  return {column, Plate::of(p, units), {.rule = p.ed_rule, .tc = p.tc / units.time, .patience = patience}};
+  return {column, Plate::of(p, units), {.rule = p.ed_rule, .tc = p.tc / units.time, .budget = budget}};
 }
 
 Column<double> column_of(const Parameters& p) {
@@ -307,13 +307,13 @@ Column<double> column_of(const Parameters& p) {
 
 }  // namespace
 
-Collision simulate_vibrated_hard_spheres(const Parameters& p, Patience* patience) {
+SimulationResult simulate_vibrated_hard_spheres(const Parameters& p, ComputeBudget* budget) {
   const Column<double> column = column_of(p);
   const VibrationUnits units = vibration_units(p);
   VibrationStatistics statistics(p, column, Plate::of(p, units), units);
-  VibratedHardSpheres spheres = spheres_of(p, column, patience);
+  VibratedHardSpheres spheres = spheres_of(p, column, budget);
   spheres.run(statistics);
-  Collision c;
+  SimulationResult c;
   c.status = spheres.status();
   if (!is_success(c.status)) return c;
   c.vibration = statistics.result();
@@ -323,7 +323,7 @@ Collision simulate_vibrated_hard_spheres(const Parameters& p, Patience* patience
   return c;
 }
 
-void watch_vibrated_hard_spheres(const Parameters& p, VibratedSamples& samples) {
+void observe_vibrated_hard_spheres(const Parameters& p, VibratedSamples& samples) {
   spheres_of(p, column_of(p), nullptr).run(samples);
 }
 

@@ -34,7 +34,7 @@ class VibratedHardSpheres {
     EdRule rule = EdRule::lrv;
     double tc = 0.0;                                                  ///< of EdRule::tc
     std::uint64_t period_limit = 20'000'000, limit = 20'000'000'000;  ///< collisions in a period, and in all
-    Patience* patience = nullptr;
+    ComputeBudget* budget = nullptr;
   };
 
   VibratedHardSpheres(const Column<double>& column, const Plate& plate, const Options& options);

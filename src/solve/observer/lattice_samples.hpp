@@ -16,7 +16,7 @@ namespace sigmasweep {
 /// solver's units, the clock starting with the fall (or with the plate's motion). Used as Samples (samples.hpp).
 class LatticeSamples {
  public:
-  static constexpr bool watches = true;
+  static constexpr bool observes = true;
   using Vectors = std::span<Vec2<double>>;
 
   LatticeSamples(std::vector<double> times, std::size_t beads)
@@ -41,10 +41,10 @@ class LatticeSamples {
 };
 
 /// The solvers' runs with a watcher, over with its last sample.
-void watch_lattice(const Lattice<double>& lattice, LatticeSamples& samples);
+void observe_lattice(const Lattice<double>& lattice, LatticeSamples& samples);
 /// Of geometry vibrated_lattice, by its integrator, in vibration_units(); relative to the plate.
-void watch_vibrated_lattice(const Parameters& parameters, LatticeSamples& samples);
-void watch_fixed_step_lattice(const Lattice<double>& lattice, Integrator integrator, double dt,
-                              LatticeSamples& samples);
+void observe_vibrated_lattice(const Parameters& parameters, LatticeSamples& samples);
+void observe_fixed_step_lattice(const Lattice<double>& lattice, Integrator integrator, double dt,
+                                LatticeSamples& samples);
 
 }  // namespace sigmasweep

@@ -15,7 +15,7 @@ namespace sigmasweep {
 /// Watches a vibrated lattice as VibrationStatistics does a column. At rest the lattice is closed.
 class LatticeStatistics {
  public:
-  static constexpr bool watches = true;
+  static constexpr bool observes = true;
 
   LatticeStatistics(const Parameters& parameters, const Lattice<double>& lattice, const Plate& plate,
                     const VibrationUnits& units);

@@ -14,15 +14,15 @@
 namespace sigmasweep {
 
 /// The watcher of a run that nobody records: solvers leave out what they would show it.
-struct Nobody {
-  static constexpr bool watches = false;
+struct NullObserver {
+  static constexpr bool observes = false;
 };
 
 /// The watcher that records a run: overlaps x and rates u = x' of all contacts at given times, in the solver's units.
 /// Solvers tell it, before anything changes, up to which time their present state holds.
 class Samples {
  public:
-  static constexpr bool watches = true;
+  static constexpr bool observes = true;
 
   Samples(std::vector<double> times, std::size_t contacts)
       : times_(std::move(times)),
@@ -52,7 +52,7 @@ class Samples {
 /// The same of a vibrated column, whose solvers keep time within the plate's period and say when one is over.
 class VibratedSamples {
  public:
-  static constexpr bool watches = true;
+  static constexpr bool observes = true;
 
   VibratedSamples(Samples& samples, double period) : samples_(samples), period_(period) {}
 
@@ -72,16 +72,16 @@ class VibratedSamples {
 
 /// The solvers' runs with a watcher. Times in the column's units; each says where its clock starts.
 /// At the first contact with the wall.
-void watch_exact(const Column<double>& column, Samples& samples);
+void observe_exact(const Column<double>& column, Samples& samples);
 /// At the start. Step `dt`.
-void watch_fixed_step(const Column<double>& column, Integrator integrator, double dt, Samples& samples);
+void observe_fixed_step(const Column<double>& column, Integrator integrator, double dt, Samples& samples);
 /// At the start, in units of the gap over the speed; overlaps in gaps, rates in speeds. Where there is no gap, any
 /// length does as the unit.
-void watch_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples);
+void observe_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples);
 /// At the first contact with the wall.
-void watch_nonlinear(const Column<double>& column, Samples& samples);
+void observe_nonlinear(const Column<double>& column, Samples& samples);
 /// At the start, in vibration_units(). Overlaps and rates are relative to the plate.
-void watch_vibrated_soft_spheres(const Parameters& parameters, VibratedSamples& samples);
-void watch_vibrated_hard_spheres(const Parameters& parameters, VibratedSamples& samples);
+void observe_vibrated_soft_spheres(const Parameters& parameters, VibratedSamples& samples);
+void observe_vibrated_hard_spheres(const Parameters& parameters, VibratedSamples& samples);
 
 }  // namespace sigmasweep

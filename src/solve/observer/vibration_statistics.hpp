@@ -15,7 +15,7 @@ namespace sigmasweep {
 /// Watches a vibrated column, in the solver's units, and averages what it sees: see VibrationAverages.
 class VibrationStatistics {
  public:
-  static constexpr bool watches = true;
+  static constexpr bool observes = true;
   static constexpr int samples = VibrationAverages::samples;  ///< a period
 
   VibrationStatistics(const Parameters& parameters, const Column<double>& column, const Plate& plate,

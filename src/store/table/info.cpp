@@ -26,7 +26,7 @@ std::string hdf5_version() {
   return fmt::format("{}.{}.{}", major, minor, release);
 }
 
-TableInfo common_info(const Team& team, TableInfo info) {
+TableInfo common_info(const RankGroup& team, TableInfo info) {
   for (std::string* text : {&info.title, &info.spec_text, &info.host, &info.start})
     *text = team.broadcast(std::move(*text));
   info.spec_hash = team.broadcast(info.spec_hash);

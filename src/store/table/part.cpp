@@ -24,7 +24,7 @@ std::uint64_t rows_per_transfer(const Section& section) {
 
 Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "cannot make a property list"}; }
 
-Handle create_file(const Team& team, const std::string& path) {
+Handle create_file(const RankGroup& team, const std::string& path) {
   const Handle access = property_list(H5P_FILE_ACCESS);
   check(H5Pset_fapl_mpio(access, team.comm(), MPI_INFO_NULL), "cannot choose MPI-IO");
   check(H5Pset_coll_metadata_write(access, true), "cannot choose collective metadata");
@@ -82,7 +82,7 @@ std::uint64_t checksum_of(const Section& section, const Block& block) {
 }
 
 /// Collective: one write of all ranks' rows, or a few if there are very many.
-void write_dataset(const Team& team, hid_t dataset, const Section& section, Block block) {
+void write_dataset(const RankGroup& team, hid_t dataset, const Section& section, Block block) {
   const std::string what = "cannot write dataset " + section.name;
   const std::size_t row_size = packed_size(section.fields);
   const std::uint64_t at_a_time = rows_per_transfer(section);
@@ -135,7 +135,7 @@ void reserve_space(const std::string& path, std::uint64_t bytes) {
   throw IoError(fmt::format("no room for {} bytes: {}", bytes, reason(error)));
 }
 
-std::vector<Checksums> write_part(const Team& team, const std::string& path, const TableInfo& info,
+std::vector<Checksums> write_part(const RankGroup& team, const std::string& path, const TableInfo& info,
                                   std::span<const Section> sections, std::uint64_t total_rows, Block block) {
   std::vector<Checksums> checksums(sections.size());
   team.together([&] {

@@ -60,7 +60,7 @@ void see_same_file(const std::string& part, int rank) {
 }
 
 /// The blocks must cover the table; nothing would fill a gap.
-void check_blocks(const Team& team, const Slice& slice, std::uint64_t total_rows, const Block& block) {
+void check_blocks(const RankGroup& team, const Slice& slice, std::uint64_t total_rows, const Block& block) {
   const std::uint64_t rows = team.sum(block.rows.size());
   team.together([&] {
     bool right = rows == total_rows;
@@ -71,8 +71,8 @@ void check_blocks(const Team& team, const Slice& slice, std::uint64_t total_rows
 }
 
 /// Every rank reads what the next one wrote: its own rows it might find in its own machine's memory.
-void read_back(const Team& team, const std::string& part, std::span<const Section> sections, std::uint64_t total_rows,
-               const Block& block, const std::vector<Checksums>& checksums) {
+void read_back(const RankGroup& team, const std::string& part, std::span<const Section> sections,
+               std::uint64_t total_rows, const Block& block, const std::vector<Checksums>& checksums) {
   std::vector<std::uint64_t> message{block.first, block.rows.size()};
   for (const Checksums& each : checksums) message.push_back(each.block);
   const int before = (team.rank() + team.size() - 1) % team.size(), next = (team.rank() + 1) % team.size();
@@ -96,8 +96,8 @@ void publish(const std::string& part, const std::string& path) {
   sync_directory_of(path);
 }
 
-void write_together(const Team& team, const std::string& path, const TableInfo& info, std::span<const Section> sections,
-                    std::uint64_t total_rows, const Block& block) {
+void write_together(const RankGroup& team, const std::string& path, const TableInfo& info,
+                    std::span<const Section> sections, std::uint64_t total_rows, const Block& block) {
   const std::string part = path + ".part";
   std::uint64_t bytes = (std::uint64_t{1} << 16) + 2 * (info.title.size() + info.spec_text.size());
   for (const Section& section : sections) bytes += total_rows * packed_size(section.fields);
@@ -123,7 +123,7 @@ void write_together(const Team& team, const std::string& path, const TableInfo& 
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
                  std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block) {
   const Hdf5Session session;
-  const Team team(comm);
+  const RankGroup team(comm);
   const std::array sections{Section{"results", columns}, Section{"timings", timing_fields()}};
   try {
     write_together(team, path, info, sections, total_rows, {first, block});

@@ -17,11 +17,11 @@ namespace {
 
 constexpr double settle = 1e-19;
 /// About ten seconds of each: what takes longer is chaotic, and no reference.
-constexpr std::uint64_t most_contacts_moved = 10'000'000, most_modes = 300'000'000;
+constexpr std::uint64_t max_contacts_moved = 10'000'000, max_modes = 300'000'000;
 
 template <class Real>
-Answer answer(const Outcome<Real>& outcome, const Column<Real>& column) {
-  Answer a;
+ReferenceValue answer(const Outcome<Real>& outcome, const Column<Real>& column) {
+  ReferenceValue a;
   a.known = outcome.status == Status::ok;
   if (!a.known) return a;
   a.value = static_cast<long double>(energies<Real>(outcome.velocity, column.speed, column.mass).eps_eff);
@@ -30,14 +30,14 @@ Answer answer(const Outcome<Real>& outcome, const Column<Real>& column) {
 }
 
 template <class Real>
-Answer by_series(const Parameters& p) {
+ReferenceValue by_series(const Parameters& p) {
   const Column<Real> column = reduced_column<Real>(p);
-  return answer<Real>(exact_collision(column, {.settle = settle, .work_limit = most_contacts_moved}), column);
+  return answer<Real>(exact_collision(column, {.settle = settle, .work_limit = max_contacts_moved}), column);
 }
 
-Answer by_modes(const Parameters& p) {
+ReferenceValue by_modes(const Parameters& p) {
   const auto column = reduced_column<long double>(p);
-  return answer(normal_modes_collision(column, {.settle = settle, .work_limit = most_modes}), column);
+  return answer(normal_modes_collision(column, {.settle = settle, .work_limit = max_modes}), column);
 }
 
 Reference by_steps(double accuracy) {
@@ -56,16 +56,16 @@ std::vector<double> exact_velocities(const Parameters& p) {
   return nonlinear_collision(column, {.accuracy = std::max(1e-3 * p.tolerance, 1e-15), .settle = left}).velocity;
 }
 
-Trial exact_trial(const Parameters& p) {
+PreparedRun exact_trial(const Parameters& p) {
   const auto run = [p] {
-    const Collision c = simulate(p);
-    return Found{.failed = !is_success(c.status), .value = c.eps_eff, .velocity = {}};
+    const SimulationResult c = simulate(p);
+    return Measurement{.failed = !is_success(c.status), .value = c.eps_eff, .velocity = {}};
   };
   return {run, [p] { return exact_velocities(p); }};
 }
 
 /// The wall is further away by a part of what the column flies in a step.
-Trial fixed_step_trial(const Parameters& p, double phase) {
+PreparedRun fixed_step_trial(const Parameters& p, double phase) {
   const double dt = 1.0 / p.steps_per_tc;
   const auto column = std::make_shared<Column<double>>(reduced_column<double>(p));
   if (column->gaps.empty()) column->gaps.assign(column->contacts(), column->gap);
@@ -73,8 +73,8 @@ Trial fixed_step_trial(const Parameters& p, double phase) {
   return {[column, dt, integrator = p.integrator] {
     std::uint64_t steps = 0;
     Outcome<double> outcome = fixed_step_collision(*column, integrator, dt, {.steps = &steps});
-    Found found{.failed = !is_success(outcome.status),
-                .value = energies<double>(outcome.velocity, column->speed, column->mass).eps_eff};
+    Measurement found{.failed = !is_success(outcome.status),
+                      .value = energies<double>(outcome.velocity, column->speed, column->mass).eps_eff};
     found.velocity = std::move(outcome.velocity);
     found.evaluations = static_cast<double>(steps) * (integrator == Integrator::rk4 ? 4.0 : 1.0);
     return found;
@@ -83,8 +83,9 @@ Trial fixed_step_trial(const Parameters& p, double phase) {
 
 }  // namespace
 
-Subject column_subject(const Parameters& scene, const PrecisionSpec& spec) {
-  Subject column{.tuples = with_other_sigmas(scene, spec), .reference = by_series<long double>, .check = by_modes};
+PrecisionCase column_subject(const Parameters& scene, const PrecisionSpec& spec) {
+  PrecisionCase column{
+      .tuples = with_other_sigmas(scene, spec), .reference = by_series<long double>, .check = by_modes};
   column.independent = true;
   if (!exponents(scene).linear()) {
     column.reference = by_steps(1e-17);

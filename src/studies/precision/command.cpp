@@ -75,22 +75,22 @@ std::vector<PrecisionRow> measure(const World& world, const Sweep& sweep, const 
   Job job;
   job.tuple = [&](std::uint64_t scene) { return sweep.at(scene); };
   job.compute = [&](const Tuple& tuple, const std::function<bool()>&) {
-    Row row{.index = tuple.index, .parameters = tuple.parameters, .collision = {}, .timing = {}};
+    Row row{.index = tuple.index, .parameters = tuple.parameters, .result = {}, .timing = {}};
     try {
       for (PrecisionRow& each : measure_precision(tuple.parameters, tuple.index, study)) {
         each.rank = world.rank();
         each.ranks_per_core = ranks_per_core;
         mine.push_back(each);
       }
-      row.collision.status = Status::ok;
+      row.result.status = Status::ok;
     } catch (...) {
-      row.collision.status = Status::failed;
+      row.result.status = Status::failed;
     }
     row.timing.predicted_time = predicted_precision_time(tuple.parameters, study);
     return row;
   };
   job.finished = [&](const Row& row) {
-    if (row.collision.status == Status::ok) done.insert(row.index);
+    if (row.result.status == Status::ok) done.insert(row.index);
     progress->add(1, row.timing.predicted_time);
   };
   job.stop = [&] {
@@ -117,7 +117,7 @@ std::vector<Field> parameters_of(const Sweep& sweep) {
 int precision(World& world, const PrecisionOptions& options) {
   const std::string start = utc_now();
   std::optional<Sweep> sweep;
-  const int loaded = on_manager(world, [&] {
+  const int loaded = run_on_root(world, [&] {
     sweep = with_precision(Sweep::load(options.spec), options.spec);
     return success;
   });
@@ -128,7 +128,7 @@ int precision(World& world, const PrecisionOptions& options) {
   bool complete = false;
   const auto rows = measure(world, *sweep, study, options.quiet, complete);
   const std::string table = options.output.empty() ? default_table(options.spec) : options.output;
-  return on_manager(world, [&] {
+  return run_on_root(world, [&] {
     if (!complete) {
       fmt::print(stderr, "sigmasweep: stopped before all scenes were measured; nothing is written\n");
       return stopped;

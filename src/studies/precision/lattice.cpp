@@ -11,7 +11,7 @@ namespace sigmasweep {
 namespace {
 
 /// Half a minute of beads and contacts moved in stages of steps: what takes longer is no reference.
-constexpr std::uint64_t most_work = 200'000'000;
+constexpr std::uint64_t max_work = 200'000'000;
 
 template <class Real>
 std::vector<double> velocities(const Lattice<Real>& lattice, const LatticeOutcome<Real>& outcome) {
@@ -24,8 +24,8 @@ std::vector<double> velocities(const Lattice<Real>& lattice, const LatticeOutcom
 Reference by_steps(double accuracy) {
   return [accuracy](const Parameters& p) {
     const auto lattice = reduced_lattice<long double>(p);
-    const auto outcome = lattice_collision(lattice, {.accuracy = accuracy, .settle = 1e-17, .work_limit = most_work});
-    Answer a;
+    const auto outcome = lattice_collision(lattice, {.accuracy = accuracy, .settle = 1e-17, .work_limit = max_work});
+    ReferenceValue a;
     a.known = outcome.status == Status::ok;
     if (!a.known) return a;
     a.value = energies(lattice, outcome.velocity).eps_eff;
@@ -41,34 +41,35 @@ std::vector<double> exact_velocities(const Parameters& p) {
   return velocities(lattice, lattice_collision(lattice, {.accuracy = accuracy, .settle = 1e-3 * p.tolerance}));
 }
 
-Trial exact_trial(const Parameters& p, double longest) {
+PreparedRun exact_trial(const Parameters& p, double longest) {
   const auto run = [p, longest] {
-    Patience patience(longest);
-    const Collision c = simulate(p, &patience);
-    return Found{.failed = !is_success(c.status), .value = c.eps_eff};
+    ComputeBudget budget(longest);
+    const SimulationResult c = simulate(p, &budget);
+    return Measurement{.failed = !is_success(c.status), .value = c.eps_eff};
   };
   return {run, [p] { return exact_velocities(p); }};
 }
 
 /// All beads are higher by a part of what they fly in a step.
-Trial fixed_step_trial(const Parameters& p, double phase, double longest) {
+PreparedRun fixed_step_trial(const Parameters& p, double phase, double longest) {
   const double dt = 1.0 / p.steps_per_tc;
   const auto lattice = std::make_shared<Lattice<double>>(reduced_lattice<double>(p));
   lattice->shift.resize(lattice->count());
   for (Vec2<double>& shift : lattice->shift) shift.z += phase * dt * lattice->beads.speed;
   return {.run = [lattice, dt, longest, integrator = p.integrator] {
-    Patience patience(longest);
-    const auto outcome = fixed_step_lattice_collision(*lattice, integrator, dt, {.patience = &patience});
-    return Found{.failed = !is_success(outcome.status),
-                 .value = energies(*lattice, outcome.velocity).eps_eff,
-                 .velocity = velocities(*lattice, outcome)};
+    ComputeBudget budget(longest);
+    const auto outcome = fixed_step_lattice_collision(*lattice, integrator, dt, {.budget = &budget});
+    return Measurement{.failed = !is_success(outcome.status),
+                       .value = energies(*lattice, outcome.velocity).eps_eff,
+                       .velocity = velocities(*lattice, outcome)};
   }};
 }
 
 }  // namespace
 
-Subject lattice_subject(const Parameters& scene, const PrecisionSpec& spec) {
-  Subject lattice{.tuples = with_other_sigmas(scene, spec), .reference = by_steps(1e-15), .check = by_steps(1e-13)};
+PrecisionCase lattice_subject(const Parameters& scene, const PrecisionSpec& spec) {
+  PrecisionCase lattice{
+      .tuples = with_other_sigmas(scene, spec), .reference = by_steps(1e-15), .check = by_steps(1e-13)};
   if (scene.random_separation == Flag::yes)
     for (std::size_t k = 0; k < lattice.tuples.size(); ++k)
       lattice.tuples[k].seed = static_cast<std::int64_t>(random_bits(stream_key(spec.seed, "shifts"), k) >> 1);

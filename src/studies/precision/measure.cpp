@@ -12,7 +12,7 @@ namespace sigmasweep {
 
 namespace {
 
-Subject subject_of(const Parameters& scene, const PrecisionSpec& spec) {
+PrecisionCase subject_of(const Parameters& scene, const PrecisionSpec& spec) {
   if (is_vibrated(scene)) return vibrated_subject(scene, spec);
   return is_lattice(scene) ? lattice_subject(scene, spec) : column_subject(scene, spec);
 }
@@ -20,7 +20,7 @@ Subject subject_of(const Parameters& scene, const PrecisionSpec& spec) {
 /// One integrator at one setting, with what is known of it so far.
 struct Setting {
   PrecisionRow row;
-  std::vector<Trial> trials;
+  std::vector<PreparedRun> trials;
   double errors_took = 0.0;  ///< CPU time of the first round, s
   bool is_exact() const { return row.parameters.integrator == Integrator::exact; }
 };
@@ -69,7 +69,7 @@ double quantile(std::vector<double>& sorted, double q) {
 /// Errors of the tuples that have a result.
 class Errors {
  public:
-  void add(double value, const std::vector<double>& velocity, const Answer& answer) {
+  void add(double value, const std::vector<double>& velocity, const ReferenceValue& answer) {
     error_.push_back(static_cast<double>(std::fabs(value - answer.value)));
     if (velocity.empty()) return;
     double worst = 0.0;
@@ -97,7 +97,8 @@ void leave_out(Setting& setting) {
   setting.trials.clear();
 }
 
-void measure_errors(Setting& setting, const Subject& subject, const References& references, const PrecisionSpec& spec) {
+void measure_errors(Setting& setting, const PrecisionCase& subject, const References& references,
+                    const PrecisionSpec& spec) {
   PrecisionRow& row = setting.row;
   Errors errors;
   double evaluations = 0.0;
@@ -107,9 +108,9 @@ void measure_errors(Setting& setting, const Subject& subject, const References& 
     if (k == 1 && setting.errors_took > spec.longest) return leave_out(setting);
     const std::size_t which = std::min(k, subject.tuples.size() - 1);
     const Parameters p = with_setting(subject.tuples[which], row.parameters.integrator, row.setting);
-    const Trial& trial = setting.trials.emplace_back(subject.trial(p, chance(spec, "phase", k)));
+    const PreparedRun& trial = setting.trials.emplace_back(subject.trial(p, chance(spec, "phase", k)));
     const double start = thread_seconds();
-    const Found found = trial.run();
+    const Measurement found = trial.run();
     setting.errors_took += thread_seconds() - start;
     evaluations += found.evaluations;
     ++row.tuples;
@@ -126,7 +127,7 @@ void measure_errors(Setting& setting, const Subject& subject, const References& 
 double time_once(const Setting& setting) {
   const double start = thread_seconds();
   double sum = 0.0;
-  for (const Trial& trial : setting.trials) sum += trial.run().value;
+  for (const PreparedRun& trial : setting.trials) sum += trial.run().value;
   const double took = thread_seconds() - start;
   [[maybe_unused]] volatile double keep = sum;  // or the compiler might leave it all out
   return took;
@@ -151,7 +152,7 @@ void measure_times(std::vector<Setting>& settings, const PrecisionSpec& spec) {
 std::string_view precision_quantity(const Parameters& p) { return is_vibrated(p) ? "h_cm/A0" : "eps_eff"; }
 
 std::vector<PrecisionRow> measure_precision(const Parameters& scene, std::uint64_t number, const PrecisionSpec& spec) {
-  const Subject subject = subject_of(scene, spec);
+  const PrecisionCase subject = subject_of(scene, spec);
   const References references = find_references(subject, spec);
   std::vector<Setting> settings = settings_of(scene, number, spec);
   for (Setting& setting : settings) {

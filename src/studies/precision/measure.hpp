@@ -45,8 +45,8 @@ std::string precision_text(std::span<const PrecisionRow> rows, std::span<const s
 
 /// Draws time against error, log-log: a panel a scene, a curve an integrator, the references' noise as a vertical line,
 /// settings with failures as crosses at the right border. Throws as plot_rows() does, and UsageError for more than
-/// most_precision_panels scenes.
-inline constexpr std::size_t most_precision_panels = 64;
+/// max_precision_panels scenes.
+inline constexpr std::size_t max_precision_panels = 64;
 void plot_precision(std::span<const PrecisionRow> rows, std::span<const std::string> axes, const std::string& title,
                     const std::string& path);
 

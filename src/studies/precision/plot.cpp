@@ -170,11 +170,11 @@ void plot_precision(std::span<const PrecisionRow> rows, std::span<const std::str
     series_named(panels.back(), std::string(name_of(row.parameters.integrator)))
         .marks.push_back({row.error_median, row.error_max, row.run_time, row.failures > 0});
   }
-  if (panels.size() > most_precision_panels)
+  if (panels.size() > max_precision_panels)
     throw UsageError(
         fmt::format("plot: {} scenes, but at most {} find room on a picture: choose with 'where' in "
                     "[plot]",
-                    panels.size(), most_precision_panels));
+                    panels.size(), max_precision_panels));
   const auto vibrated = std::ranges::count_if(rows, [](const PrecisionRow& r) { return is_vibrated(r.parameters); });
   const std::string both = fmt::format("{} (vibrated: {})", eps_eff, height);
   draw(panels, vibrated == 0 ? eps_eff : vibrated == std::ssize(rows) ? height : both, title, path);
@@ -193,8 +193,8 @@ void plot_precision_of(std::span<const Row> rows, const std::string& title, cons
     std::string label(name_of(p.integrator));
     if (p.integrator == Integrator::exact && tolerances) label += ", " + value_label(*find_field("tolerance"), row);
     if (p.integrator != Integrator::exact && steps) label += fmt::format(", t_c/{:g}", p.steps_per_tc);
-    const double error = row.collision.eps_eff_error;
-    series_named(panel, label).marks.push_back({error, error, row.timing.run_time, !is_success(row.collision.status)});
+    const double error = row.result.eps_eff_error;
+    series_named(panel, label).marks.push_back({error, error, row.timing.run_time, !is_success(row.result.status)});
   }
   if (panel.series.empty()) throw UsageError("plot: the table has no soft spheres that were computed and timed");
   panel.title = "error bars against run times of the rows";

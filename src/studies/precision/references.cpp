@@ -14,20 +14,20 @@ constexpr double chaos = 1e-9;
 }  // namespace
 
 /// Among tuples that are chaotic only checked ones can be compared; where none of the first few is, none will be.
-bool References::worth_going_on(std::uint64_t most_checks) const {
+bool References::worth_going_on(std::uint64_t max_checks) const {
   constexpr std::uint64_t few = 3;
-  return chaotic == 0 || (checks < most_checks && (chaotic < checks || checks < few));
+  return chaotic == 0 || (checks < max_checks && (chaotic < checks || checks < few));
 }
 
-References find_references(const Subject& subject, const PrecisionSpec& spec) {
+References find_references(const PrecisionCase& subject, const PrecisionSpec& spec) {
   References found;
   const double start = thread_seconds();
   for (std::size_t k = 0; k < subject.tuples.size() && found.worth_going_on(spec.checks); ++k) {
     if (k > 0 && thread_seconds() - start > spec.seconds) break;
-    Answer answer = subject.reference(subject.tuples[k]);
+    ReferenceValue answer = subject.reference(subject.tuples[k]);
     bool agree = false;
     if (k < spec.checks) {
-      Answer other = subject.check(subject.tuples[k]);
+      ReferenceValue other = subject.check(subject.tuples[k]);
       ++found.checks;
       const auto difference = static_cast<double>(std::fabs(other.value - answer.value));
       agree = other.known && answer.known && difference <= chaos;

@@ -13,14 +13,14 @@
 namespace sigmasweep {
 
 /// What a reference says of a tuple.
-struct Answer {
+struct ReferenceValue {
   bool known = false;
   long double value = 0.0L;        ///< eps_eff; of what vibrates h_cm/A0
   std::vector<double> velocity{};  ///< final ones, all components, units of v0; of what vibrates none
 };
 
 /// What an integrator does.
-struct Found {
+struct Measurement {
   bool failed = true;
   double value = PrecisionRow::nan;
   std::vector<double> velocity{};
@@ -28,26 +28,26 @@ struct Found {
 };
 
 /// A tuple with an integrator and its setting, all made ready.
-struct Trial {
-  std::function<Found()> run;                       ///< what is timed
+struct PreparedRun {
+  std::function<Measurement()> run;                 ///< what is timed
   std::function<std::vector<double>()> velocity{};  ///< what run() leaves out, if there is any
 };
 
-using Reference = std::function<Answer(const Parameters&)>;
+using Reference = std::function<ReferenceValue(const Parameters&)>;
 
-struct Subject {
+struct PrecisionCase {
   std::vector<Parameters> tuples;  ///< a single one if only the phases of fixed steps are left to change
   Reference reference{}, check{};
   bool check_is_better = false;  ///< check is only for the first few
   bool independent = false;      ///< they are two methods
   /// Of a tuple that has integrator and setting; `phase`, in [0, 1): where in a step the first contact is to fall.
-  std::function<Trial(const Parameters&, double phase)> trial{};
+  std::function<PreparedRun(const Parameters&, double phase)> trial{};
 };
 
-Subject column_subject(const Parameters& scene, const PrecisionSpec& spec);
-Subject lattice_subject(const Parameters& scene, const PrecisionSpec& spec);
+PrecisionCase column_subject(const Parameters& scene, const PrecisionSpec& spec);
+PrecisionCase lattice_subject(const Parameters& scene, const PrecisionSpec& spec);
 /// Columns and lattices.
-Subject vibrated_subject(const Parameters& scene, const PrecisionSpec& spec);
+PrecisionCase vibrated_subject(const Parameters& scene, const PrecisionSpec& spec);
 
 /// Random changes of a scene are up to this part of it.
 inline constexpr double scene_change = 1e-3;

@@ -11,9 +11,9 @@
 namespace sigmasweep {
 namespace {
 
-double height(const Collision& c, const Parameters& p) { return c.vibration.h_cm / p.A0; }
+double height(const SimulationResult& c, const Parameters& p) { return c.vibration.h_cm / p.A0; }
 
-Answer answer(const Collision& c, const Parameters& p) {
+ReferenceValue answer(const SimulationResult& c, const Parameters& p) {
   return {.known = is_success(c.status), .value = height(c, p)};
 }
 
@@ -22,7 +22,7 @@ Reference by_steps(double accuracy) {
 }
 
 /// Columns under the linear law: the integrator `exact` itself.
-Answer by_series(Parameters p) {
+ReferenceValue by_series(Parameters p) {
   p.integrator = Integrator::exact;
   return answer(simulate(p), p);
 }
@@ -41,12 +41,13 @@ double evaluations(const Parameters& p) {
 
 }  // namespace
 
-Subject vibrated_subject(const Parameters& scene, const PrecisionSpec& spec) {
-  Subject vibrated{.tuples = std::vector(spec.tuples, scene), .reference = by_steps(1e-15), .check = by_steps(1e-14)};
+PrecisionCase vibrated_subject(const Parameters& scene, const PrecisionSpec& spec) {
+  PrecisionCase vibrated{
+      .tuples = std::vector(spec.tuples, scene), .reference = by_steps(1e-15), .check = by_steps(1e-14)};
   for (std::size_t k = 0; k < vibrated.tuples.size(); ++k) {
     Parameters& p = vibrated.tuples[k];
     p.A0 *= 1.0 + scene_change * (2.0 * chance(spec, "A0", k) - 1.0);
-    give_plate(p);
+    derive_plate_motion(p);
     if (p.random_separation == Flag::yes)
       p.seed = static_cast<std::int64_t>(random_bits(stream_key(spec.seed, "shifts"), k) >> 1);
   }
@@ -54,12 +55,12 @@ Subject vibrated_subject(const Parameters& scene, const PrecisionSpec& spec) {
     vibrated.check = by_series;
     vibrated.independent = true;
   }
-  vibrated.trial = [longest = too_long * spec.longest](Parameters p, double phase) -> Trial {
+  vibrated.trial = [longest = too_long * spec.longest](Parameters p, double phase) -> PreparedRun {
     if (p.integrator != Integrator::exact) p.steps_per_tc = steps_for(p, phase);
     return {.run = [p, longest] {
-      Patience patience(longest);
-      const Collision c = simulate(p, &patience);
-      return Found{.failed = !is_success(c.status), .value = height(c, p), .evaluations = evaluations(p)};
+      ComputeBudget budget(longest);
+      const SimulationResult c = simulate(p, &budget);
+      return Measurement{.failed = !is_success(c.status), .value = height(c, p), .evaluations = evaluations(p)};
     }};
   };
   return vibrated;

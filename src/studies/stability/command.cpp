@@ -25,19 +25,19 @@ void require_steps(const Sweep& sweep, const std::string& spec) {
     throw SpecError(fmt::format("{}: a stability study needs tuples with integrator gear5, verlet or rk4", spec));
 }
 
-bool is_well(const Row& row) { return row.collision.status == Status::unstable || is_success(row.collision.status); }
+bool is_well(const Row& row) { return row.result.status == Status::unstable || is_success(row.result.status); }
 
 }  // namespace
 
 int stability(World& world, const StabilityOptions& options) {
-  const int loaded = on_manager(world, [&] {
+  const int loaded = run_on_root(world, [&] {
     require_steps(Sweep::load(options.run.spec), options.run.spec);
     return success;
   });
   if (loaded != success) return loaded;
   const int ran = run(world, options.run);
   if (ran != success && ran != some_rows_failed) return ran;
-  return on_manager(world, [&] {
+  return run_on_root(world, [&] {
     const std::string table = options.run.output.empty() ? default_table(options.run.spec) : options.run.output;
     const StoredSweep stored = read_stored_sweep(table);
     const auto& rows = stored.table.rows;

@@ -22,7 +22,7 @@ constexpr double good = 0.01, fair = 0.1;
 constexpr int between = 4;  ///< limits from one y to the next, where they are cheap
 
 /// What vibrates has no error but the imbalance of its energy.
-Observed observed(const Collision& c) {
+Observed observed(const SimulationResult& c) {
   if (c.status == Status::unstable) return Observed::unstable;
   const double error = c.eps_eff == c.eps_eff ? c.eps_eff_error : std::fabs(c.vibration.imbalance);
   if (!(error == error)) return Observed::nothing;
@@ -104,9 +104,9 @@ std::vector<StabilityMap> stability_maps(std::span<const Row> rows, const PlotSp
       tuples.emplace_back();
       found = maps.end() - 1;
     }
-    const double value = number(y, row), growth = row.collision.predicted_growth;
-    found->cells.push_back({value, row.parameters.steps_per_tc, observed(row.collision),
-                            growth == growth ? growth <= most_stable_growth : is_stable(row.parameters)});
+    const double value = number(y, row), growth = row.result.predicted_growth;
+    found->cells.push_back({value, row.parameters.steps_per_tc, observed(row.result),
+                            growth == growth ? growth <= max_stable_growth : is_stable(row.parameters)});
     tuples[std::size_t(found - maps.begin())].try_emplace(value, row.parameters);
   }
   if (maps.empty()) throw UsageError("stability: no row has an integrator of fixed step and steps_per_tc");

@@ -15,8 +15,8 @@ PlotSpec stability_plot(std::span<const PlotSpec> plots);
 /// A map of the rows with a given time step for each combination of the other axes: the step dt/tc against the plot's y
 /// (a parameter). Squares are rows, coloured by how far eps_eff, of what vibrates the energy balance, is off; crosses
 /// came out unstable; the line is the limit that theory predicts. `axes`: those of the sweep. Throws as plot_rows()
-/// does, and UsageError where no row has a time step or there are more than most_stability_maps maps.
-inline constexpr std::size_t most_stability_maps = 48;
+/// does, and UsageError where no row has a time step or there are more than max_stability_maps maps.
+inline constexpr std::size_t max_stability_maps = 48;
 void plot_stability(std::span<const Row> rows, const PlotSpec& plot, std::span<const std::string> axes,
                     const std::string& title, const std::string& path);
 

@@ -99,9 +99,9 @@ void plot_stability(std::span<const Row> rows, const PlotSpec& plot, std::span<c
                     const std::string& title, const std::string& path) {
   const Form form = form_of(path);
   const auto maps = stability_maps(rows, plot, axes);
-  if (maps.size() > most_stability_maps)
+  if (maps.size() > max_stability_maps)
     throw UsageError(fmt::format("plot: {} maps, but at most {} find room on a picture: choose with 'where' in [plot]",
-                                 maps.size(), most_stability_maps));
+                                 maps.size(), max_stability_maps));
   const std::size_t columns = columns_for(maps), lines = (maps.size() + columns - 1) / columns;
   const double x = std::max(double(columns), 2.0), y = double(lines);
   std::string script =

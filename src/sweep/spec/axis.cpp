@@ -18,8 +18,8 @@ constexpr Names known_keys{"from", "to", "count", "scale", "sample", "seed"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"};
 constexpr std::array<std::string_view, 4> samples{"uniform", "log-uniform", "sobol", "latin-hypercube"};
 
-constexpr std::uint64_t most_values = std::uint64_t{1} << 40;
-constexpr std::uint64_t most_stored_values = std::uint64_t{1} << 20;
+constexpr std::uint64_t max_values = std::uint64_t{1} << 40;
+constexpr std::uint64_t max_stored_values = std::uint64_t{1} << 20;
 constexpr double largest_whole = 0x1p53;  // doubles hold all whole numbers up to here
 
 bool is_whole(const Field& field) { return field.type == FieldType::integer; }
@@ -41,7 +41,7 @@ void require_allowed(const Entry& entry, const Field& field, double value) {
   if (field.name == "N")
     others.geometry = Geometry::vibrated_column;
   else
-    give_beads(others);
+    derive_beads(others);
   const std::string why = why_invalid(row.parameters);
   if (!why.empty()) throw SpecError(fmt::format("{}sweep.{}", place(*entry.file, entry.line), why));
 }
@@ -98,7 +98,7 @@ Form read_form(const Entry& entry, const Field& field) {
   form.interval.from = read_value(form.from, field);
   form.interval.to = read_value(form.to, field);
   form.interval.whole = is_whole(field);
-  form.count = as_count(form.counted, 1, most_values);
+  form.count = as_count(form.counted, 1, max_values);
   if (const Entry* sample = find(keys, "sample")) form.sample = as_one_of(*sample, samples);
   if (const Entry* scale = find(keys, "scale")) {
     form.scale = as_one_of(*scale, scales);
@@ -122,8 +122,8 @@ void require_sensible(const Form& form) {
   }
   if (form.count == 1 && from != to)
     refuse_value(form.counted, "both 'from' and 'to' are values of a range: at least 2");
-  if (whole && log && form.count > most_stored_values)
-    refuse_value(form.counted, fmt::format("at most {} for a logarithmic range of whole numbers", most_stored_values));
+  if (whole && log && form.count > max_stored_values)
+    refuse_value(form.counted, fmt::format("at most {} for a logarithmic range of whole numbers", max_stored_values));
   if (whole && !log && !has_whole_step(form.interval, form.count))
     refuse_value(form.counted, fmt::format("{} values from {} to {} are not all whole numbers", form.count, from, to));
 }

@@ -84,7 +84,7 @@ void require_complete(const Entry& sweep, const std::vector<Setting>& settings, 
   };
   const auto require_where_used = [&](std::string_view name) {
     const Field& field = *find_field(name);
-    if (std::ranges::any_of(kinds, [&](const Parameters& kind) { return is_used(field, kind); })) require(name);
+    if (std::ranges::any_of(kinds, [&](const Parameters& kind) { return applies_to(field, kind); })) require(name);
   };
   require_where_used("v0");
   if (first_of(by_spring, settings)) {
@@ -100,7 +100,7 @@ void require_complete(const Entry& sweep, const std::vector<Setting>& settings, 
                  "alpha = A0 (2 pi frequency)^2/gravity");
   for (const std::string_view name : {"beta", "gamma"})
     if (!find(settings, name) &&
-        std::ranges::any_of(kinds, [&](const Parameters& kind) { return is_used(*find_field(name), kind); }))
+        std::ranges::any_of(kinds, [&](const Parameters& kind) { return applies_to(*find_field(name), kind); }))
       refuse(find(settings, "law")->entry, fmt::format("'{}' is missing: law = 'power' needs beta and gamma", name));
 }
 
@@ -111,7 +111,7 @@ void require_soft_lattice(const std::vector<Setting>& settings, const Parameters
 
 void require_used(const std::vector<Setting>& settings, const std::vector<Parameters>& kinds) {
   const auto used = [&](const Setting& setting) {
-    return std::ranges::any_of(kinds, [&](const Parameters& kind) { return is_used(*setting.field, kind); });
+    return std::ranges::any_of(kinds, [&](const Parameters& kind) { return applies_to(*setting.field, kind); });
   };
   for (const Setting& setting : settings) {
     if (used(setting)) continue;
@@ -120,7 +120,7 @@ void require_used(const std::vector<Setting>& settings, const std::vector<Parame
       refuse(setting.entry,
              "'steps_per_tc' and 'tolerance' conflict: give the time step, or the error for which it is "
              "to be chosen");
-    refuse(setting.entry, fmt::format("no tuple uses it: it needs {}", needed_for(*setting.field)));
+    refuse(setting.entry, fmt::format("no tuple uses it: it needs {}", requirement_of(*setting.field)));
   }
 }
 

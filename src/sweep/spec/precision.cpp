@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 10> keys{"integrators", "steps_per_tc", "tolerances",     "tuples",  "checks",
                                                 "repeats",     "seconds",      "repeat_seconds", "longest", "seed"};
-constexpr std::uint64_t most_scenes = 10'000, most_tuples = 1'000'000, most_repeats = 1000;
+constexpr std::uint64_t max_scenes = 10'000, max_tuples = 1'000'000, max_repeats = 1000;
 
 double as_positive(const Entry& entry, double most) {
   const double value = as_number(entry);
@@ -38,8 +38,8 @@ std::vector<Integrator> as_integrators(const Entry& entry) {
 
 /// The study says how scenes are computed, not the sweep.
 void require_scenes(const Entry& table, const Sweep& sweep) {
-  if (sweep.size() > most_scenes)
-    refuse(table, fmt::format("{} rows are as many scenes, at most {} are allowed", sweep.size(), most_scenes));
+  if (sweep.size() > max_scenes)
+    refuse(table, fmt::format("{} rows are as many scenes, at most {} are allowed", sweep.size(), max_scenes));
   for (const std::string& axis : sweep.axes())
     if (axis == "integrator" || axis == "steps_per_tc" || axis == "tolerance")
       refuse(table, fmt::format("'{}' is an axis of [sweep], but [precision] has its own", axis));
@@ -60,11 +60,11 @@ PrecisionSpec read_precision(const Entry& table, const Sweep& sweep) {
     else if (entry.name == "tolerances")
       spec.tolerances = as_ladder(entry, 1.0);
     else if (entry.name == "tuples")
-      spec.tuples = as_count(entry, 1, most_tuples);
+      spec.tuples = as_count(entry, 1, max_tuples);
     else if (entry.name == "checks")
-      spec.checks = as_count(entry, 1, most_tuples);
+      spec.checks = as_count(entry, 1, max_tuples);
     else if (entry.name == "repeats")
-      spec.repeats = as_count(entry, 1, most_repeats);
+      spec.repeats = as_count(entry, 1, max_repeats);
     else if (entry.name == "seconds")
       spec.seconds = as_positive(entry, 1e6);
     else if (entry.name == "repeat_seconds")

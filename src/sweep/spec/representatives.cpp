@@ -6,22 +6,22 @@
 namespace sigmasweep::spec {
 namespace {
 
-bool is_enumeration(const Product::Member& member) { return !enumerators(member.field->type).empty(); }
+bool is_enumeration(const ParameterGrid::Member& member) { return !enumerators(member.field->type).empty(); }
 
 using Values = std::vector<double>;  ///< one a member of a group
 
 /// Of a group with enumerations, the different values with numbers as 0 or 1; of others the largest number of each.
-std::set<Values> kinds_of(const Product::Group& group) {
+std::set<Values> kinds_of(const ParameterGrid::Group& group) {
   std::set<Values> kinds;
   if (std::ranges::none_of(group, is_enumeration)) {
     Values largest;
-    for (const Product::Member& member : group) largest.push_back(member.axis.bounds().second);
+    for (const ParameterGrid::Member& member : group) largest.push_back(member.axis.bounds().second);
     kinds.insert(std::move(largest));
     return kinds;
   }
   for (std::uint64_t k = 0; k < group.front().axis.size(); ++k) {
     Values values;
-    for (const Product::Member& member : group)
+    for (const ParameterGrid::Member& member : group)
       values.push_back(is_enumeration(member) || member.axis[k] <= 0.0 ? member.axis[k] : 1.0);
     kinds.insert(std::move(values));
   }
@@ -30,9 +30,9 @@ std::set<Values> kinds_of(const Product::Group& group) {
 
 }  // namespace
 
-std::vector<Parameters> kinds_of(const Parameters& base, const std::vector<Product::Group>& groups) {
+std::vector<Parameters> kinds_of(const Parameters& base, const std::vector<ParameterGrid::Group>& groups) {
   std::vector<Parameters> kinds{base};
-  for (const Product::Group& group : groups) {
+  for (const ParameterGrid::Group& group : groups) {
     std::vector<Parameters> more;
     for (const Values& values : kinds_of(group))
       for (const Parameters& kind : kinds) {

@@ -15,13 +15,13 @@
 namespace sigmasweep::spec {
 namespace {
 
-constexpr std::uint64_t most_tuples = std::uint64_t{1} << 40;
+constexpr std::uint64_t max_tuples = std::uint64_t{1} << 40;
 
 /// Each tuple is looked at when the spec is read: about ten seconds for 2^26 and a short expression.
-constexpr std::uint64_t most_filtered = std::uint64_t{1} << 26;
+constexpr std::uint64_t max_filtered = std::uint64_t{1} << 26;
 constexpr std::size_t short_expression = 64;
 /// The same where a tuple takes 0.1 ms.
-constexpr std::uint64_t most_filtered_slowly = std::uint64_t{1} << 17;
+constexpr std::uint64_t max_filtered_slowly = std::uint64_t{1} << 17;
 
 /// Keys of [sweep] that are no parameters.
 constexpr std::array<std::string_view, 2> other_keys{"zip", "where"};
@@ -87,25 +87,25 @@ void require_zippable(const Entry& entry, const std::vector<Zip>& zips, const st
 }
 
 /// Axes in spec order; a zipped group stands where its first axis does.
-std::vector<Product::Group> groups_of(const std::vector<Setting>& settings, const std::vector<Zip>& zips) {
-  std::vector<Product::Group> groups;
+std::vector<ParameterGrid::Group> groups_of(const std::vector<Setting>& settings, const std::vector<Zip>& zips) {
+  std::vector<ParameterGrid::Group> groups;
   std::map<const Zip*, std::size_t> group_of;
   for (const Setting& setting : settings) {
     if (!setting.is_axis) continue;
     const Zip* zip = zip_of(zips, setting.field->name);
     const bool begins = zip == nullptr || group_of.emplace(zip, groups.size()).second;
-    Product::Group& group = begins ? groups.emplace_back() : groups[group_of.at(zip)];
+    ParameterGrid::Group& group = begins ? groups.emplace_back() : groups[group_of.at(zip)];
     group.push_back({setting.field, setting.axis});
   }
   return groups;
 }
 
-void require_countable(const Entry& sweep, const std::vector<Product::Group>& groups) {
+void require_countable(const Entry& sweep, const std::vector<ParameterGrid::Group>& groups) {
   double tuples = 1.0;
-  for (const Product::Group& group : groups) tuples *= static_cast<double>(group.front().axis.size());
-  if (tuples > static_cast<double>(most_tuples))
+  for (const ParameterGrid::Group& group : groups) tuples *= static_cast<double>(group.front().axis.size());
+  if (tuples > static_cast<double>(max_tuples))
     refuse(sweep, fmt::format("the axes multiply to {:.{}} tuples, at most 2^40 = {} are allowed", tuples,
-                              tuples < 1e15 ? 16 : 3, most_tuples));
+                              tuples < 1e15 ? 16 : 3, max_tuples));
 }
 
 Parameters base_of(const std::vector<Setting>& settings) {
@@ -118,13 +118,13 @@ Parameters base_of(const std::vector<Setting>& settings) {
   return row.parameters;
 }
 
-Selection select(const Entry& entry, const std::vector<Setting>& settings, const Product& product) {
+Selection select(const Entry& entry, const std::vector<Setting>& settings, const ParameterGrid& product) {
   const std::string expression = as_string(entry);
   try {
     Where where(expression, parameter_fields());
     const std::uint64_t most = product.contacts().is_slow()
-                                   ? most_filtered_slowly
-                                   : most_filtered * short_expression / std::max(short_expression, expression.size());
+                                   ? max_filtered_slowly
+                                   : max_filtered * short_expression / std::max(short_expression, expression.size());
     if (product.size() > most)
       refuse(entry, fmt::format("the axes multiply to {} tuples, with a 'where' of this length at most {} are allowed",
                                 product.size(), most));
@@ -170,7 +170,11 @@ Grid read_sweep(const Entry& sweep) {
   require_finite_gap(settings, base);
   require_countable(sweep, groups);
 
-  Grid grid{Product(base, find(settings, "sigma") ? Gap::sigma : Gap::s0, std::move(groups)), {}, {}, kinds, {}};
+  Grid grid{ParameterGrid(base, find(settings, "sigma") ? GapParameter::sigma : GapParameter::s0, std::move(groups)),
+            {},
+            {},
+            kinds,
+            {}};
   require_pairs(settings, grid.product);
   for (const Setting& setting : settings) {
     if (!setting.is_axis) continue;

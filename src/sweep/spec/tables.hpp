@@ -13,7 +13,7 @@
 namespace sigmasweep::spec {
 
 struct Grid {
-  Product product;
+  ParameterGrid product;
   std::vector<const Field*> axes;  ///< parameters that are axes, in spec order
   std::vector<std::uint64_t> axis_sizes;
   std::vector<Parameters> kinds;       ///< of tuples that there are (spec_kinds.hpp)

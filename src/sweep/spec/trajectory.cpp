@@ -12,8 +12,8 @@ namespace sigmasweep::spec {
 namespace {
 
 constexpr std::array<std::string_view, 3> keys{"samples", "duration", "where"};
-constexpr std::uint64_t most_samples = 1'000'000, most_values = std::uint64_t{1} << 26;
-constexpr std::uint64_t most_looked_at = std::uint64_t{1} << 24;  // a few seconds
+constexpr std::uint64_t max_samples = 1'000'000, max_values = std::uint64_t{1} << 26;
+constexpr std::uint64_t max_looked_at = std::uint64_t{1} << 24;  // a few seconds
 
 double as_duration(const Entry& entry) {
   const double duration = as_number(entry);
@@ -34,10 +34,9 @@ std::vector<std::uint64_t> chosen_rows(const Entry& table, const Entry* where, c
   const auto too_many = [&](const Entry& entry, std::uint64_t most, std::string_view what) {
     refuse(entry, fmt::format("{}: at most {} are allowed; choose rows with 'where'", what, most));
   };
-  if (where == nullptr && sweep.size() > TrajectorySpec::most_files)
-    too_many(table, TrajectorySpec::most_files, fmt::format("{} rows are {} files", sweep.size(), sweep.size()));
-  if (sweep.size() > most_looked_at)
-    too_many(table, most_looked_at, fmt::format("{} rows to choose from", sweep.size()));
+  if (where == nullptr && sweep.size() > TrajectorySpec::max_files)
+    too_many(table, TrajectorySpec::max_files, fmt::format("{} rows are {} files", sweep.size(), sweep.size()));
+  if (sweep.size() > max_looked_at) too_many(table, max_looked_at, fmt::format("{} rows to choose from", sweep.size()));
   std::optional<Where> condition;
   if (where != nullptr) condition = as_condition(*where);
   std::vector<std::uint64_t> rows;
@@ -45,7 +44,7 @@ std::vector<std::uint64_t> chosen_rows(const Entry& table, const Entry* where, c
   for (std::uint64_t k = 0; k < sweep.size(); ++k) {
     row.parameters = sweep.at(k);
     if (condition && !(*condition)(row)) continue;
-    if (rows.size() == TrajectorySpec::most_files) too_many(*where, TrajectorySpec::most_files, "too many rows");
+    if (rows.size() == TrajectorySpec::max_files) too_many(*where, TrajectorySpec::max_files, "too many rows");
     rows.push_back(k);
   }
   if (rows.empty()) refuse_value(*where, "no row satisfies it");
@@ -55,10 +54,10 @@ std::vector<std::uint64_t> chosen_rows(const Entry& table, const Entry* where, c
 void require_room(const Entry& table, const TrajectorySpec& spec, const Sweep& sweep) {
   for (const std::uint64_t row : spec.rows)
     if (const Parameters p = sweep.at(row);
-        static_cast<std::uint64_t>(p.N) * (is_lattice(p) ? 2 : 1) > most_values / spec.samples)
+        static_cast<std::uint64_t>(p.N) * (is_lattice(p) ? 2 : 1) > max_values / spec.samples)
       refuse(table, fmt::format("{} samples of the {} beads of row {} are too much for a file: at most {} coordinates "
                                 "are allowed",
-                                spec.samples, p.N, row, most_values));
+                                spec.samples, p.N, row, max_values));
 }
 
 }  // namespace
@@ -69,7 +68,7 @@ TrajectorySpec read_trajectory(const Entry& table, const Sweep& sweep) {
   const Entry* where = nullptr;
   for (const Entry& entry : all) {
     if (entry.name == "samples")
-      spec.samples = as_count(entry, 2, most_samples);
+      spec.samples = as_count(entry, 2, max_samples);
     else if (entry.name == "duration")
       spec.duration = as_duration(entry);
     else if (entry.name == "where")

@@ -12,8 +12,8 @@
 namespace sigmasweep::spec {
 namespace {
 
-constexpr std::uint64_t most_linear_pairs = 100'000;
-constexpr std::uint64_t most_in_a_group = 4096;
+constexpr std::uint64_t max_linear_pairs = 100'000;
+constexpr std::uint64_t max_in_a_group = 4096;
 
 /// The smallest and largest value of a parameter.
 std::array<double, 2> ends(const std::vector<Setting>& settings, std::string_view name, double otherwise) {
@@ -28,7 +28,7 @@ const Field& gap_of(const std::vector<Setting>& settings) {
   return *find_field(find(settings, "sigma") ? "sigma" : "s0");
 }
 
-Gap kind_of(const Field& gap) { return gap.name == "s0" ? Gap::s0 : Gap::sigma; }
+GapParameter kind_of(const Field& gap) { return gap.name == "s0" ? GapParameter::s0 : GapParameter::sigma; }
 
 void set(Parameters& parameters, const Field& field, double value) {
   Row row;
@@ -38,11 +38,11 @@ void set(Parameters& parameters, const Field& field, double value) {
 }
 
 /// Values of a long group that tell most about it: where an axis has its extremes.
-Product::Group extremes(const Product::Group& group) {
+ParameterGrid::Group extremes(const ParameterGrid::Group& group) {
   const std::uint64_t length = group.front().axis.size();
   std::set<std::uint64_t> places{0, length - 1};
-  if (length <= most_in_a_group)
-    for (const Product::Member& member : group) {
+  if (length <= max_in_a_group)
+    for (const ParameterGrid::Member& member : group) {
       std::uint64_t lowest = 0, highest = 0;
       for (std::uint64_t k = 1; k < length; ++k) {
         if (member.axis[k] < member.axis[lowest]) lowest = k;
@@ -50,8 +50,8 @@ Product::Group extremes(const Product::Group& group) {
       }
       places.insert({lowest, highest});
     }
-  Product::Group few;
-  for (const Product::Member& member : group) {
+  ParameterGrid::Group few;
+  for (const ParameterGrid::Member& member : group) {
     std::vector<double> values;
     for (const std::uint64_t k : places) values.push_back(member.axis[k]);
     few.push_back({member.field, Axis::list(std::move(values))});
@@ -59,21 +59,21 @@ Product::Group extremes(const Product::Group& group) {
   return few;
 }
 
-bool has_names(const Product::Group& group) {
+bool has_names(const ParameterGrid::Group& group) {
   return std::ranges::any_of(group, [](const auto& member) { return !enumerators(member.field->type).empty(); });
 }
 
-double count(const std::vector<Product::Group>& groups) {
+double count(const std::vector<ParameterGrid::Group>& groups) {
   double all = 1.0;
-  for (const Product::Group& group : groups) all *= static_cast<double>(group.front().axis.size());
+  for (const ParameterGrid::Group& group : groups) all *= static_cast<double>(group.front().axis.size());
   return all;
 }
 
 /// What decides about pairs, thinned until it is few enough to look at: groups of numbers first.
-std::vector<Product::Group> few_contacts(std::vector<Product::Group> few, std::uint64_t most_pairs) {
-  const auto most = static_cast<double>(most_pairs);
+std::vector<ParameterGrid::Group> few_contacts(std::vector<ParameterGrid::Group> few, std::uint64_t max_pairs) {
+  const auto most = static_cast<double>(max_pairs);
   for (const bool names_too : {false, true})
-    for (Product::Group& group : few)
+    for (ParameterGrid::Group& group : few)
       if (count(few) > most && (names_too || !has_names(group))) group = extremes(group);
   return few;
 }
@@ -92,7 +92,7 @@ void require_diameters(const std::vector<Setting>& settings, const std::vector<Z
   };
   if (const Zip* zip = zip_of(zips, "width"); d && zip && zip == zip_of(zips, "d")) {
     const std::uint64_t last = width->axis.size() - 1;
-    for (std::uint64_t k = 0; k < std::min(last, most_linear_pairs); ++k) check(width->axis[k], d->axis[k]);
+    for (std::uint64_t k = 0; k < std::min(last, max_linear_pairs); ++k) check(width->axis[k], d->axis[k]);
     return check(width->axis[last], d->axis[last]);
   }
   Parameters beads = base;
@@ -102,7 +102,7 @@ void require_diameters(const std::vector<Setting>& settings, const std::vector<Z
     for (std::uint64_t k = 0; k < material->axis.size(); ++k) {
       set(beads, *material->field, material->axis[k]);
       beads.law = Law::hooke;  // the diameter is the same with any
-      give_material(beads);
+      derive_material(beads);
       smallest = std::min(smallest, beads.d);
     }
   }
@@ -117,11 +117,11 @@ void require_lattice(const std::vector<Setting>& settings, const std::vector<Zip
     p.geometry = Geometry::lattice;
     p.rows = static_cast<std::int64_t>(high);
     p.columns = static_cast<std::int64_t>(wide);
-    give_beads(p);
+    derive_beads(p);
     if (const std::string why = why_invalid(p); !why.empty()) refuse((columns ? columns : rows)->entry, why);
   };
   if (const Zip* zip = zip_of(zips, "rows"); columns && zip && zip == zip_of(zips, "columns"))
-    for (std::uint64_t k = 0; k < std::min(rows->axis.size(), most_linear_pairs); ++k)
+    for (std::uint64_t k = 0; k < std::min(rows->axis.size(), max_linear_pairs); ++k)
       check(rows->axis[k], columns->axis[k]);
   else
     check(rows->axis.bounds().second, ends(settings, "columns", static_cast<double>(base.columns))[1]);
@@ -139,7 +139,7 @@ void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>&
         p.frequency = frequency;
         p.alpha = p.A0 = 0.0;
         set(p, *given->field, value);
-        give_plate(p);
+        derive_plate_motion(p);
         if (const std::string why = why_invalid(p); !why.empty())
           refuse(given->entry, fmt::format("with gravity = {}, frequency = {} and {} = {}: {}", gravity, frequency,
                                            given->field->name, value, why));
@@ -151,7 +151,7 @@ void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>&
              fmt::format("of {} periods all belong to the transient of {}: it must be less", all, first));
   };
   if (const Zip* zip = zip_of(zips, "periods"); transient && zip && zip == zip_of(zips, "transient"))
-    for (std::uint64_t k = 0; k < std::min(periods->axis.size(), most_linear_pairs); ++k)
+    for (std::uint64_t k = 0; k < std::min(periods->axis.size(), max_linear_pairs); ++k)
       check(periods->axis[k], transient->axis[k]);
   else
     check(ends(settings, "periods", static_cast<double>(base.periods))[0],
@@ -177,7 +177,7 @@ void require_finite_gap(const std::vector<Setting>& settings, const Parameters& 
       }
 }
 
-void require_pairs(const std::vector<Setting>& settings, const Product& product) {
+void require_pairs(const std::vector<Setting>& settings, const ParameterGrid& product) {
   const Setting* stiffness = find(settings, "K_over_m");
   if (!stiffness) stiffness = find(settings, "material");
   if (!stiffness) return;
@@ -185,8 +185,8 @@ void require_pairs(const std::vector<Setting>& settings, const Product& product)
   const bool linear = !find(settings, "law") || find(settings, "law")->axis.bounds().second == 0.0;
   static_assert(static_cast<int>(Law::hooke) == 0);
   const Parameters& base = product.base();
-  const auto few =
-      few_contacts(deciding_contacts(base, product.groups()), linear ? most_linear_pairs : Contacts::most_remembered);
+  const auto few = few_contacts(deciding_contacts(base, product.groups()),
+                                linear ? max_linear_pairs : CalibrationCache::max_remembered);
   for (std::uint64_t i = 0; i < size_of(few); ++i) {
     Parameters pair = values_at(base, few, i);
     product.contacts().give(pair);
@@ -195,7 +195,7 @@ void require_pairs(const std::vector<Setting>& settings, const Product& product)
       p.width = 0.0;  // looked at on its own, as is the plate
       p.geometry = Geometry::column;
       set(p, gap, value);
-      give_gap(p, kind_of(gap));
+      derive_gap(p, kind_of(gap));
       if (const std::string why = why_invalid(p); !why.empty())
         refuse(stiffness->entry, fmt::format("with v0 = {} and {} = {}: {}", p.v0, gap.name, value, why));
     }

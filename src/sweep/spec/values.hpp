@@ -24,6 +24,6 @@ void require_finite_gap(const std::vector<Setting>& settings, const Parameters& 
 /// Where tc follows from the stiffness: every pair comes apart again, and s0 and sigma are finite. Up to about 10^4
 /// pairs (10^5 for the linear law) all are looked at; of more than that the extremes of each axis, and what is wrong
 /// in between is left to the row.
-void require_pairs(const std::vector<Setting>& settings, const Product& product);
+void require_pairs(const std::vector<Setting>& settings, const ParameterGrid& product);
 
 }  // namespace sigmasweep::spec

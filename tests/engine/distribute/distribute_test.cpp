@@ -45,8 +45,8 @@ Parameters tuple(std::uint64_t row) {
 bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 /// A job that counts. `pause` is how long computing a row takes.
-struct Trial {
-  explicit Trial(std::uint64_t rows, double predicted_seconds = 1e-4) {
+struct PreparedRun {
+  explicit PreparedRun(std::uint64_t rows, double predicted_seconds = 1e-4) {
     std::vector<std::uint64_t> all(rows);
     for (std::uint64_t row = 0; row < rows; ++row) all[row] = row;
     schedule.emplace(all, std::vector<double>(rows, predicted_seconds), world().size());
@@ -57,7 +57,7 @@ struct Trial {
       Row row;
       row.index = t.index;
       row.parameters = t.parameters;
-      row.collision.eps_eff = t.parameters.s0;
+      row.result.eps_eff = t.parameters.s0;
       row.timing.rank = world().rank();
       return row;
     };
@@ -67,7 +67,7 @@ struct Trial {
       ++rows_of[row.timing.rank];
       intact = intact && same_bits(row.parameters.v0, tuple(row.index).v0) &&
                same_bits(row.parameters.tc, tuple(row.index).tc) && same_bits(row.parameters.s0, tuple(row.index).s0) &&
-               same_bits(row.collision.eps_eff, tuple(row.index).s0) && row.parameters.N == tuple(row.index).N;
+               same_bits(row.result.eps_eff, tuple(row.index).s0) && row.parameters.N == tuple(row.index).N;
     };
     job.stop = [] { return false; };
   }
@@ -102,7 +102,7 @@ TEST(Distribute, EachRowComesBackOnceWhateverTheTimes) {
   const auto seed = static_cast<unsigned>(world().broadcast(std::int64_t{std::random_device{}()}));
   RecordProperty("seed", static_cast<int>(seed));
   SCOPED_TRACE("seed " + std::to_string(seed));
-  Trial trial(600);
+  PreparedRun trial(600);
   trial.pause = [seed](std::uint64_t row) {
     std::minstd_rand random(seed + static_cast<unsigned>(row));
     random.discard(3);
@@ -114,26 +114,26 @@ TEST(Distribute, EachRowComesBackOnceWhateverTheTimes) {
 }
 
 TEST(Distribute, MoreRowsThanFitAMessage) {
-  Trial trial(20000, 1e-7);
+  PreparedRun trial(20000, 1e-7);
   trial.run();
   trial.expect_all(20000);
 }
 
 TEST(Distribute, NoRows) {
-  Trial trial(0);
+  PreparedRun trial(0);
   trial.run();
   trial.expect_all(0);
 }
 
 TEST(Distribute, FewerRowsThanRanks) {
-  Trial trial(1);
+  PreparedRun trial(1);
   trial.run();
   trial.expect_all(1);
   EXPECT_EQ(sum_over_ranks(trial.computed), 1);
 }
 
 TEST(Distribute, DedicatedManagerComputesNothingUnlessAlone) {
-  Trial trial(200);
+  PreparedRun trial(200);
   trial.job.manager_computes = false;
   trial.run();
   trial.expect_all(200);
@@ -144,7 +144,7 @@ TEST(Distribute, DedicatedManagerComputesNothingUnlessAlone) {
 
 TEST(Distribute, LongRowsAreSpreadEvenly) {
   // All predicted to take minutes: no rank may get a second one while another has none.
-  Trial trial(2 * static_cast<std::uint64_t>(world().size()), 100.0);
+  PreparedRun trial(2 * static_cast<std::uint64_t>(world().size()), 100.0);
   trial.job.tuple = [](std::uint64_t row) {
     Parameters p = tuple(row);
     p.N = 1000;
@@ -159,7 +159,7 @@ TEST(Distribute, LongRowsAreSpreadEvenly) {
 
 TEST(Distribute, RowsOfALongChunkComeInBeforeItsEnd) {
   // Predicted to be short, so all of them are one chunk; each takes 50 ms in truth.
-  Trial trial(20, 1e-6);
+  PreparedRun trial(20, 1e-6);
   trial.pause = [](std::uint64_t) { return std::chrono::milliseconds(50); };
   trial.run();
   trial.expect_all(20);
@@ -170,7 +170,7 @@ TEST(Distribute, RowsOfALongChunkComeInBeforeItsEnd) {
 }
 
 /// After a stop: nothing twice, and nothing lost that was computed.
-void expect_stopped(const Trial& trial, long at_least, long of) {
+void expect_stopped(const PreparedRun& trial, long at_least, long of) {
   const long computed = sum_over_ranks(trial.computed);
   EXPECT_LT(computed, of);
   if (!world().is_manager()) return;
@@ -181,7 +181,7 @@ void expect_stopped(const Trial& trial, long at_least, long of) {
 }
 
 TEST(Distribute, StopLeavesOnlyTheTuplesInFlight) {
-  Trial trial(2000);
+  PreparedRun trial(2000);
   trial.pause = [](std::uint64_t) { return std::chrono::milliseconds(2); };
   trial.job.stop = [&] { return world().is_manager() && trial.came.size() >= 30; };
   trial.run();
@@ -189,7 +189,7 @@ TEST(Distribute, StopLeavesOnlyTheTuplesInFlight) {
 }
 
 TEST(Distribute, StopAtTheVeryBeginning) {
-  Trial trial(2000);
+  PreparedRun trial(2000);
   trial.pause = [](std::uint64_t) { return std::chrono::milliseconds(2); };
   trial.job.stop = [] { return true; };
   trial.run();
@@ -197,7 +197,7 @@ TEST(Distribute, StopAtTheVeryBeginning) {
 }
 
 TEST(Distribute, AnyRankCanAskForTheStop) {
-  Trial trial(2000);
+  PreparedRun trial(2000);
   trial.pause = [](std::uint64_t) { return std::chrono::milliseconds(2); };
   trial.job.stop = [&] { return world().rank() == world().size() - 1 && trial.computed >= 5; };
   trial.run();
@@ -206,7 +206,7 @@ TEST(Distribute, AnyRankCanAskForTheStop) {
 
 TEST(Distribute, ARankWithNothingToDoCanAskForTheStop) {
   if (world().size() == 1) return;
-  Trial trial(1);  // the manager gets it
+  PreparedRun trial(1);  // the manager gets it
   trial.job.compute = [](const Tuple&, const auto& to_end) -> std::optional<Row> {
     while (!to_end()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return std::nullopt;
@@ -221,7 +221,7 @@ TEST(Distribute, ARankWithNothingToDoCanAskForTheStop) {
 
 TEST(Distribute, CanBeDoneAgainAndAgain) {
   for (int i = 0; i < 20; ++i) {
-    Trial trial(10);
+    PreparedRun trial(10);
     trial.run();
     trial.expect_all(10);
   }
@@ -238,7 +238,7 @@ TEST(World, ScattersContiguousBlocksInOrder) {
   for (const std::uint64_t total : {0u, 1u, 3u, 1000u}) {
     std::vector<Row> rows;
     for (std::uint64_t i = 0; world().is_manager() && i < total; ++i)
-      rows.push_back({.index = i, .parameters = tuple(i), .collision = {}, .timing = {}});
+      rows.push_back({.index = i, .parameters = tuple(i), .result = {}, .timing = {}});
     const auto [first, count] = world().block(total);
     const auto mine = world().scatter(rows, total);
     ASSERT_EQ(mine.size(), count);

@@ -81,7 +81,7 @@ TEST(PlotLattice, DrawsEveryForm) {
 TEST(PlotLattice, RefusesWhatFindsNoRoom) {
   const samples::Directory directory;
   EXPECT_THROW(plot_lattices({}, {}, "", directory.file("a.svg")), UsageError);
-  EXPECT_THROW(plot_lattices(std::vector<Panel>(most_panels + 1), {}, "", directory.file("a.svg")), UsageError);
+  EXPECT_THROW(plot_lattices(std::vector<Panel>(max_panels + 1), {}, "", directory.file("a.svg")), UsageError);
   EXPECT_THROW(plot_lattices(std::vector<Panel>{bouncing()}, {}, "", directory.file("a.gif")), UsageError);
   EXPECT_TRUE(directory.names().empty());
 }

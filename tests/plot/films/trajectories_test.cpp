@@ -54,7 +54,7 @@ TEST(Thinned, LeavesOutWhatIsNoNumber) {
 
 TEST(PlotTrajectories, RefusesWhatFindsNoRoom) {
   const samples::Directory directory;
-  const std::vector<Panel> many(most_panels + 1);
+  const std::vector<Panel> many(max_panels + 1);
   EXPECT_THROW(plot_trajectories(many, 5, {}, "", directory.file("a.svg")), UsageError);
   EXPECT_THROW(plot_trajectories({}, 5, {}, "", directory.file("a.svg")), UsageError);
   EXPECT_TRUE(directory.names().empty());

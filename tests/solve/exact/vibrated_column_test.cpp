@@ -131,7 +131,7 @@ TEST(VibratedSoftSpheres, MovesAsAPlainProgramSays) {
     SCOPED_TRACE(testing::Message() << "N = " << c.N << ", epsilon = " << c.epsilon << ", tc = " << c.tc);
     Parameters p = vibrated(c.N, c.epsilon, c.tc, c.alpha);
     p.s0 = c.s0;
-    p = complete(p, Gap::s0);
+    p = complete(p, GapParameter::s0);
     const std::vector<double> times = sample_times(c.periods / p.frequency, 41);
     const Trajectory ours = record(p, times);
     PlainColumn plain(p);
@@ -192,14 +192,14 @@ TEST(VibratedSoftSpheres, NonlinearLaws) {
     EXPECT_LT(largest_difference(record(p, times), by_rk4), 1e-4 * p.A0);
     p.periods = 3;
     p.transient = 0;
-    const Collision exact = simulate_vibrated(p);
+    const SimulationResult exact = simulate_vibrated(p);
     ASSERT_EQ(exact.status, Status::ok);
     EXPECT_LT(std::fabs(exact.vibration.imbalance), 1e-9);  // local errors of 1e-12, some thousand steps
     p.integrator = Integrator::verlet;
     double before = INFINITY;
     for (const double steps : {50.0, 500.0, 5000.0}) {
       p.steps_per_tc = steps;
-      const Collision c = simulate_vibrated(p);
+      const SimulationResult c = simulate_vibrated(p);
       ASSERT_EQ(c.status, Status::ok);
       EXPECT_LT(std::fabs(c.vibration.imbalance), before / 3.0) << steps;
       before = std::fabs(c.vibration.imbalance);
@@ -217,7 +217,7 @@ TEST(VibratedSoftSpheres, EnergyBalances) {
         Parameters p = vibrated(10, epsilon, tc, alpha);
         p.periods = 12;
         p.transient = 2;
-        const Collision c = simulate_vibrated(p);
+        const SimulationResult c = simulate_vibrated(p);
         ASSERT_EQ(c.status, Status::ok) << epsilon << ' ' << tc << ' ' << alpha;
         EXPECT_LT(std::fabs(c.vibration.imbalance), 1e-12) << epsilon << ' ' << tc << ' ' << alpha;
         EXPECT_GE(c.vibration.power_lost, 0.0);
@@ -242,7 +242,7 @@ TEST(VibratedSoftSpheres, ExtremeCases) {
     Parameters p = vibrated(c.N, c.epsilon, c.tc, c.alpha, c.frequency);
     p.periods = c.periods;
     p.transient = 2;
-    const Collision result = simulate_vibrated(p);
+    const SimulationResult result = simulate_vibrated(p);
     ASSERT_EQ(result.status, Status::ok);
     EXPECT_TRUE(std::isfinite(result.vibration.h_cm));
     EXPECT_LT(std::fabs(result.vibration.imbalance), 1e-11);
@@ -280,7 +280,7 @@ TEST(VibratedSoftSpheres, LiesStillBelowGravity) {
   Parameters p = vibrated(5, 0.8, 1e-5, 0.9);
   p.periods = 50;
   p.transient = 10;
-  const Collision c = simulate_vibrated(p);
+  const SimulationResult c = simulate_vibrated(p);
   ASSERT_EQ(c.status, Status::ok);
   // Quasi-static: contact k carries the beads above it, x_k = (N - k) g m/K; the mean over a period of the plate's sine
   // vanishes. K/m = (pi^2 + ln^2 eps)/(2 tc^2).

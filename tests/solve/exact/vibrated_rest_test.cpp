@@ -57,7 +57,7 @@ TEST_P(TotallyInelastic, BallRestsOncePerPeriod) {
   ASSERT_LT(ball.flight, turn);
   Parameters p = vibrated(1, 1e-6, GetParam());
   p.wall = Wall::matched;
-  const Collision c = run(p);
+  const SimulationResult c = run(p);
   EXPECT_EQ(c.status, Status::collapsed);
   EXPECT_NEAR(excess(p, c), ball.mean_height(), 1e-12 * GetParam());
   EXPECT_NEAR(c.vibration.cm_period * p.frequency, 1.0, 1e-12);
@@ -70,7 +70,7 @@ TEST_P(TotallyInelastic, BallRestsOncePerPeriod) {
 TEST_P(TotallyInelastic, ColumnOfTenThatCollapsesMovesAsThatBall) {
   for (const double epsilon : {0.6, 0.3}) {  // Figs. 5 and 6: eps_eff = 0
     const Parameters p = vibrated(10, epsilon, GetParam());
-    const Collision c = run(p);
+    const SimulationResult c = run(p);
     EXPECT_EQ(c.status, Status::collapsed);
     EXPECT_NEAR(excess(p, c), InelasticBall(GetParam()).mean_height(), 1e-12 * GetParam());
     EXPECT_EQ(c.vibration.separation, 0.0);
@@ -89,7 +89,7 @@ TEST(TotallyInelasticBall, LeavesAtOnce) {
   for (const double alpha : {3.31, 3.5, 3.6}) {
     Parameters p = vibrated(1, 1e-9, alpha, 400, 300);
     p.wall = Wall::matched;
-    const Collision c = run(p);
+    const SimulationResult c = run(p);
     EXPECT_NEAR(c.vibration.cm_period * p.frequency, 1.0, 1e-12);
     // 256 samples across the kink at the landing, where the slope jumps by the impact's 2 pi: at most width^2/8 of it.
     const double width = turn / 256, kink = turn * width * width / 8 / turn;
@@ -116,7 +116,7 @@ class SoftLanding : public testing::TestWithParam<double> {
   void expect_locked(Parameters p) const {
     p.periods = 6 * ball.periods();
     p.transient = ball.periods();
-    const Collision c = simulate_vibrated(complete(p, Gap::s0));
+    const SimulationResult c = simulate_vibrated(complete(p, GapParameter::s0));
     ASSERT_TRUE(is_success(c.status)) << name_of(c.status);
     EXPECT_NEAR(c.vibration.cm_period * p.frequency, ball.periods(), 1e-12);
     // The centre of mass bounces no higher than the impact's energy takes it under the load at landing, which is that

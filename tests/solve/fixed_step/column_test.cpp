@@ -64,7 +64,7 @@ TEST_P(FixedStep, CrossingFreeFlightInOneGoIsTheSameAsSteppingThroughIt) {
 
 TEST_P(FixedStep, RawSIUnitsGiveTheSame) {
   Parameters p{.v0 = 0.2, .tc = 4e-6, .s0 = 1e-6, .epsilon = 0.8, .N = 5};
-  p = complete(p, Gap::s0);
+  p = complete(p, GapParameter::s0);
   const auto si = fixed_step_collision(si_column<double>(p), GetParam(), p.tc / 73.0);
   const auto reduced = fixed_step_collision(reduced_column<double>(p), GetParam(), 1.0 / 73.0);
   EXPECT_EQ(si.contacts, reduced.contacts);
@@ -83,7 +83,7 @@ TEST_P(FixedStep, UnequalBeadsAndAllLawsMoveAsTheDefaultIntegratorSays) {
       p.random_separation = Flag::yes;
       p.integrator = GetParam();
       p.steps_per_tc = 2017.0;
-      const Collision c = simulate_fixed_step(complete(p, Gap::sigma));
+      const SimulationResult c = simulate_fixed_step(complete(p, GapParameter::sigma));
       ASSERT_EQ(c.status, Status::ok) << name_of(law);
       // First order: twenty times less than at tc/100, where the worst single contact has 1.7e-3.
       EXPECT_LE(c.eps_eff_error, 1e-4) << name_of(law) << " " << width;
@@ -137,7 +137,7 @@ TEST_P(FixedStep, SaysUnstableWhereTheStepIsTooLong) {
   p.epsilon = 1e-6;
   p.integrator = GetParam();
   p.steps_per_tc = 4.0;
-  const Collision c = simulate_fixed_step(p);
+  const SimulationResult c = simulate_fixed_step(p);
   EXPECT_EQ(c.status, Status::unstable);
   EXPECT_TRUE(std::isnan(c.eps_eff));
 }

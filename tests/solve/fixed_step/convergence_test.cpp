@@ -28,7 +28,7 @@ Parameters of(const reference::Soft& r, Integrator integrator, double steps_per_
   p.sigma = r.sigma;
   p.integrator = integrator;
   p.steps_per_tc = steps_per_tc;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 class FixedStepConvergence : public testing::TestWithParam<Integrator> {
@@ -75,7 +75,7 @@ TEST_P(FixedStepConvergence, MeetsTheReferenceOfEveryWellConditionedColumn) {
   for (const reference::Soft& r : reference::soft) {
     if (!r.well_conditioned || r.N > 20 || r.epsilon < 0.3) continue;  // stronger damping needs shorter steps
     SCOPED_TRACE(testing::Message() << "N=" << r.N << " eps=" << r.epsilon << " sigma=" << r.sigma);
-    const Collision c = simulate(of(r, GetParam(), 1017.3));
+    const SimulationResult c = simulate(of(r, GetParam(), 1017.3));
     ASSERT_EQ(c.status, Status::ok);
     // First order: a twentieth of the error at tc/50, which is below 2e-2 for each of these.
     EXPECT_NEAR(c.eps_eff, r.eps_eff, 1e-3);
@@ -93,7 +93,7 @@ TEST_P(FixedStepConvergence, IsStableAtAHundredStepsAContact) {
       p.sigma = sigma;
       p.integrator = GetParam();
       p.steps_per_tc = 100.0;
-      const Collision c = simulate(p);
+      const SimulationResult c = simulate(p);
       EXPECT_EQ(c.status, Status::ok) << N << " " << sigma;
       EXPECT_LE(c.eps_eff, 1.0);
       EXPECT_LE(c.eps_eff_error, N < 50 ? 1e-2 : 1.0) << N << " " << sigma;  // N = 50: chaotic for large sigma
@@ -107,7 +107,7 @@ TEST_P(FixedStepConvergence, TheMatchedWallHasTheRestitutionOfAPair) {
   p.wall = Wall::matched;
   p.integrator = GetParam();
   p.steps_per_tc = 2000.0;
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   EXPECT_NEAR(c.eps_eff, 0.7, 5e-4);      // first order
   EXPECT_NEAR(c.t_k, p.tc, 1e-3 * p.tc);  // and the contact time of one
 }

@@ -200,7 +200,7 @@ std::vector<double> energies_on_the_way(const Lattice<double>& lattice, Integrat
   std::vector<double> times, found;
   for (double t = 0.0; t < 20.0; t += 0.1) times.push_back(t);
   LatticeSamples samples(times, lattice.count());
-  watch_fixed_step_lattice(lattice, integrator, dt, samples);
+  observe_fixed_step_lattice(lattice, integrator, dt, samples);
   const LatticeNeighbours<double> neighbours(lattice);  // nobody gets far
   for (std::size_t k = 0; k < times.size(); ++k)
     found.push_back(energy(lattice, neighbours, samples.q(k), samples.v(k)));
@@ -285,7 +285,7 @@ TEST(LatticeFixedStep, OverdampedBeadsThatStickEnd) {
     Parameters p = parameters(c.rows, c.columns, 0.9, c.sigma);
     p.K_over_m = std::pow(std::acos(-1.0) / p.tc, 2);
     p.D_n = c.damping * std::sqrt(p.K_over_m);
-    Lattice<double> lattice = lattice_of(complete(p, Gap::sigma));
+    Lattice<double> lattice = lattice_of(complete(p, GapParameter::sigma));
     shift_at_random(lattice, 11);
     const auto outcome = fixed_step_lattice_collision(lattice, Integrator::rk4, 1.0 / 200.0);
     EXPECT_EQ(outcome.status, Status::ok);

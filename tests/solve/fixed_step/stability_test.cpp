@@ -115,7 +115,7 @@ Lattice<double> lattice_of(std::int64_t rows, std::int64_t columns, SideWalls wa
   p.columns = columns;
   p.side_walls = walls;
   p.epsilon = 0.7;
-  Lattice<double> lattice = reduced_lattice<double>(complete(p, Gap::s0));
+  Lattice<double> lattice = reduced_lattice<double>(complete(p, GapParameter::s0));
   lattice.D_t = D_t_over_D_n * lattice.beads.C;
   return lattice;
 }
@@ -156,7 +156,7 @@ TEST(Stability, LatticesAndWhatVibratesBehaveAsPredicted) {
       bool seen = false;
       for (const double steps : {3.0, 5.0, 8.0, 12.0, 20.0, 40.0, 80.0}) {
         p.steps_per_tc = steps;
-        const Collision c = simulate(p);
+        const SimulationResult c = simulate(p);
         EXPECT_EQ(c.predicted_growth, predicted_growth(p));
         if (is_stable(p)) {
           EXPECT_NE(c.status, Status::unstable) << name_of(integrator) << " tc/" << steps;
@@ -180,7 +180,7 @@ TEST(Stability, LatticesAndWhatVibratesBehaveAsPredicted) {
   for (const double D_t : {0.0, 3000.0}) {
     p.D_t = D_t;
     p.geometry = Geometry::lattice;
-    check(complete(p, Gap::sigma));
+    check(complete(p, GapParameter::sigma));
   }
   p.alpha = 3.0;
   p.periods = 5;
@@ -188,10 +188,10 @@ TEST(Stability, LatticesAndWhatVibratesBehaveAsPredicted) {
   p.d = 1e-3;
   p.s0 = 0.0;
   p.geometry = Geometry::vibrated_lattice;
-  check(complete(p, Gap::s0));
+  check(complete(p, GapParameter::s0));
   p.geometry = Geometry::vibrated_column;
   p.N = 6;
-  check(complete(p, Gap::s0));
+  check(complete(p, GapParameter::s0));
 }
 
 // A lattice without shifts has hardly any of its stiffest motions.
@@ -214,7 +214,7 @@ TEST(Stability, NoLatticeIsRefusedThatHasAResult) {
     p.epsilon = scene.epsilon;
     p.D_t = scene.D_t;
     p.steps_per_tc = scene.steps;
-    const Collision c = simulate(complete(p, Gap::sigma));
+    const SimulationResult c = simulate(complete(p, GapParameter::sigma));
     EXPECT_EQ(c.status, Status::ok) << scene.rows;
     EXPECT_LT(c.eps_eff_error, 1e-2);
     EXPECT_GT(c.predicted_growth, 1e5);

@@ -25,7 +25,7 @@ Parameters tuple(std::int64_t N, double sigma, double eps) {
   p.sigma = sigma;
   p.epsilon = eps;
   p.steps_per_tc = 0.0;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 /// In quadruple precision, settled far below every tolerance here.
@@ -45,7 +45,7 @@ TEST_P(FixedStepTolerance, IsKept) {
         for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
           p.integrator = GetParam();
           p.tolerance = tolerance;
-          const Collision c = simulate(p);
+          const SimulationResult c = simulate(p);
           SCOPED_TRACE(testing::Message() << "N=" << N << " sigma=" << sigma << " eps=" << eps << " " << tolerance);
           // The claim holds whether or not the tolerance could be kept; 1e-13: what the reference settles at.
           EXPECT_NEAR(c.eps_eff, exact, c.eps_eff_error + 1e-13);
@@ -66,9 +66,9 @@ TEST_P(FixedStepTolerance, OtherLawsKeepItToo) {
     Parameters p = tuple(5, 0.1, 0.85);
     p.law = law;
     p.tolerance = 1e-4;
-    const Collision exact = simulate(p);
+    const SimulationResult exact = simulate(p);
     p.integrator = GetParam();
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     EXPECT_EQ(c.status, Status::ok);
     EXPECT_NEAR(c.eps_eff, exact.eps_eff, p.tolerance + exact.eps_eff_error);
   }
@@ -78,9 +78,9 @@ TEST_P(FixedStepTolerance, TheStepTakenGivesTheSameAgain) {
   Parameters p = tuple(5, 0.3, 0.8);
   p.integrator = GetParam();
   p.tolerance = 1e-3;
-  const Collision chosen = simulate(p);
+  const SimulationResult chosen = simulate(p);
   p.steps_per_tc = steps_taken(p);
-  const Collision given = simulate(p);
+  const SimulationResult given = simulate(p);
   EXPECT_EQ(chosen.eps_eff, given.eps_eff);
   EXPECT_EQ(chosen.contacts, given.contacts);
 }
@@ -89,7 +89,7 @@ TEST_P(FixedStepTolerance, WhatCannotBeKeptIsMissedWithTheErrorFound) {
   Parameters p = tuple(10, 3.0, 0.9);
   p.integrator = GetParam();
   p.tolerance = 1e-12;
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   EXPECT_EQ(c.status, Status::tolerance_missed);
   EXPECT_GT(c.eps_eff_error, 1e-12);
   EXPECT_LT(c.eps_eff_error, 1e-4);

@@ -27,7 +27,8 @@ bool collapses_in_the_end(std::int64_t N, double epsilon, Wall wall) {
   p.epsilon = epsilon;
   p.wall = wall;
   const HardSphereOptions options{.settle = 0.0, .foresee_collapse = false, .collapsed_speed = 1e-290};
-  return hard_sphere_collision(reduced_column<double>(complete(p, Gap::s0)), options).status == Status::collapsed;
+  return hard_sphere_collision(reduced_column<double>(complete(p, GapParameter::s0)), options).status ==
+         Status::collapsed;
 }
 
 bool collapses(std::int64_t N, double epsilon, Wall wall) {
@@ -36,7 +37,7 @@ bool collapses(std::int64_t N, double epsilon, Wall wall) {
   p.N = N;
   p.epsilon = epsilon;
   p.wall = wall;
-  return simulate_hard_spheres(complete(p, Gap::s0)).status == Status::collapsed;
+  return simulate_hard_spheres(complete(p, GapParameter::s0)).status == Status::collapsed;
 }
 
 /// Where collapse ends, between a restitution at which there is and one at which there is none.

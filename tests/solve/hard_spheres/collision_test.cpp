@@ -32,10 +32,10 @@ TEST(HardSpheres, OneBeadBouncesOnce) {
 }
 
 TEST(HardSpheres, TwoBeadsByHand) {
-  // Gap 1, speed 1, eps = eps_wall = 1/2. At 1 bead 1 bounces: v = (1/2, -1), the gap 1 closes at 3/2, 2/3 later.
-  // Then v1 = 1/2 - 9/8 = -5/8, v2 = -1 + 9/8 = 1/8; bead 1 is at height 1/3 and falls at 5/8: wall after 8/15, where
-  // v1 = 5/16 > v2, 3/16 faster. Bead 2 is 2/5 ahead (3/4 of 8/15): 32/15 later they meet:
-  // v1 = 5/16 - 9/64 = 11/64, v2 = 1/8 + 9/64 = 17/64. Over, after 4 collisions.
+  // GapParameter 1, speed 1, eps = eps_wall = 1/2. At 1 bead 1 bounces: v = (1/2, -1), the gap 1 closes at 3/2, 2/3
+  // later. Then v1 = 1/2 - 9/8 = -5/8, v2 = -1 + 9/8 = 1/8; bead 1 is at height 1/3 and falls at 5/8: wall after 8/15,
+  // where v1 = 5/16 > v2, 3/16 faster. Bead 2 is 2/5 ahead (3/4 of 8/15): 32/15 later they meet: v1 = 5/16 - 9/64 =
+  // 11/64, v2 = 1/8 + 9/64 = 17/64. Over, after 4 collisions.
   const auto o = hard_sphere_collision(column(2, 0.5, 0.5, 1.0));
   ASSERT_EQ(o.velocity.size(), 2u);
   EXPECT_NEAR(o.velocity[0], 11.0 / 64, 1e-15);

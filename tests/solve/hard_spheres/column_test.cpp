@@ -21,14 +21,14 @@ Parameters ed(std::int64_t N, double epsilon, Wall wall, double s0, double v0 = 
   p.wall = wall;
   p.s0 = s0;
   p.v0 = v0;
-  return complete(p, Gap::s0);
+  return complete(p, GapParameter::s0);
 }
 
 class HardReference : public testing::TestWithParam<reference::Hard> {};
 
 TEST_P(HardReference, IsReproduced) {
   const reference::Hard& r = GetParam();
-  const Collision c = simulate(ed(r.N, r.epsilon, r.wall, r.touching ? 0.0 : 1e-5));
+  const SimulationResult c = simulate(ed(r.N, r.epsilon, r.wall, r.touching ? 0.0 : 1e-5));
   EXPECT_EQ(c.status, Status::ok);
   EXPECT_EQ(c.contacts, r.collisions);
   // The result's own error, and the digits of the reference.
@@ -47,17 +47,17 @@ INSTANTIATE_TEST_SUITE_P(Columns, HardReference, testing::ValuesIn(reference::ha
 });
 
 TEST(HardSpheresColumn, DoesNotDependOnGapOrSpeed) {
-  const Collision first = simulate(ed(10, 0.9, Wall::paper, 1e-7, 0.01));
+  const SimulationResult first = simulate(ed(10, 0.9, Wall::paper, 1e-7, 0.01));
   for (const double s0 : {1e-7, 1e-5, 1e-3, 1e-2, 1.0})
     for (const double v0 : {1e-15, 0.01, 0.2, 1.0, 20.0, 1e3}) {
-      const Collision c = simulate(ed(10, 0.9, Wall::paper, s0, v0));
+      const SimulationResult c = simulate(ed(10, 0.9, Wall::paper, s0, v0));
       EXPECT_NEAR(c.eps_eff, 0.341547467017, 1e-12) << s0 << " " << v0;  // the reference, to its printed digits
       EXPECT_EQ(c.eps_eff, first.eps_eff) << s0 << " " << v0;            // to the bit
       EXPECT_EQ(c.Er_Ef, first.Er_Ef);
       EXPECT_EQ(c.contacts, 100u);
       EXPECT_NEAR(c.t_k * v0 / s0, first.t_k * 0.01 / 1e-7, 1e-12 * first.t_k * 0.01 / 1e-7);
       EXPECT_EQ(c.x_max, 0.0);
-      const Collision touching = simulate(ed(10, 0.9, Wall::paper, 0.0, v0));
+      const SimulationResult touching = simulate(ed(10, 0.9, Wall::paper, 0.0, v0));
       EXPECT_NEAR(touching.eps_eff, first.eps_eff, 1e-13);  // no order of collisions depends on the times here
       EXPECT_EQ(touching.t_k, 0.0);
     }
@@ -72,7 +72,7 @@ TEST(HardSpheresColumn, CollidesNTimesNTimesAtTheMatchedWall) {
 TEST(HardSpheresColumn, ElasticBeadsCollideOnceForEachPairAndWall) {
   for (const std::int64_t N : {1, 2, 3, 10, 57, 200})
     for (const double s0 : {0.0, 1e-5}) {
-      const Collision c = simulate(ed(N, 1.0, Wall::paper, s0));
+      const SimulationResult c = simulate(ed(N, 1.0, Wall::paper, s0));
       EXPECT_EQ(c.contacts, static_cast<std::uint64_t>(N * (N + 1) / 2)) << N << " " << s0;
       EXPECT_EQ(c.eps_eff, 1.0);
       EXPECT_EQ(c.v_cm, 1.0);
@@ -97,7 +97,7 @@ TEST(HardSpheresColumn, LosesEnergyAndEndsWithNobodyApproaching) {
 }
 
 TEST(HardSpheresColumn, EnergyIsThatOfTheCentreOfMassAndRelativeMotion) {
-  const Collision c = simulate(ed(10, 0.85, Wall::paper, 1e-6));
+  const SimulationResult c = simulate(ed(10, 0.85, Wall::paper, 1e-6));
   EXPECT_NEAR(c.eps_eff * c.eps_eff, c.v_cm * c.v_cm + c.Er_E0, 1e-15);
   EXPECT_NEAR(c.Er_Ef, c.Er_E0 / (c.eps_eff * c.eps_eff), 1e-14);
 }
@@ -105,7 +105,7 @@ TEST(HardSpheresColumn, EnergyIsThatOfTheCentreOfMassAndRelativeMotion) {
 TEST(InelasticCollapse, LeavesNothingOfTenBeadsAtSixTenths) {
   for (const Wall wall : {Wall::paper, Wall::matched})
     for (const double s0 : {0.0, 1e-9, 1e-5, 1.0}) {
-      const Collision c = simulate(ed(10, 0.6, wall, s0));
+      const SimulationResult c = simulate(ed(10, 0.6, wall, s0));
       EXPECT_EQ(c.status, Status::collapsed);
       EXPECT_NEAR(c.eps_eff, 0.0, 1e-12);
       EXPECT_LE(c.eps_eff_error, 1e-10);
@@ -161,7 +161,7 @@ TEST(HardSpheresColumn, IsAResultOrSaysSoOverTheWholeRange) {
       for (const double s0 : {0.0, 1e-30, 1.0}) {
         SCOPED_TRACE(testing::Message() << "N=" << N << " eps=" << eps << " s0=" << s0);
         if (N == 1000 && s0 > 0.0 && eps > 0.9) continue;  // 1e6 collisions each; see the next test
-        const Collision c = simulate(ed(N, eps, Wall::paper, s0, 1e-15));
+        const SimulationResult c = simulate(ed(N, eps, Wall::paper, s0, 1e-15));
         ASSERT_TRUE(is_success(c.status)) << name_of(c.status);
         EXPECT_GE(c.eps_eff, 0.0);
         EXPECT_LE(c.eps_eff, 1.0);
@@ -171,14 +171,14 @@ TEST(HardSpheresColumn, IsAResultOrSaysSoOverTheWholeRange) {
 }
 
 TEST(HardSpheresColumn, AThousandBeads) {
-  const Collision c = simulate(ed(1000, 0.999, Wall::paper, 1e-5));
+  const SimulationResult c = simulate(ed(1000, 0.999, Wall::paper, 1e-5));
   EXPECT_EQ(c.status, Status::ok);
   EXPECT_EQ(c.contacts, 1'000'000u);  // N^2, as for every column well above the threshold of collapse
   EXPECT_LE(c.eps_eff_error, 1e-11);
 }
 
 TEST(HardSpheresColumn, GivesTheSameBitsAgain) {
-  const Collision a = simulate(ed(20, 0.9, Wall::paper, 1e-5)), b = simulate(ed(20, 0.9, Wall::paper, 1e-5));
+  const SimulationResult a = simulate(ed(20, 0.9, Wall::paper, 1e-5)), b = simulate(ed(20, 0.9, Wall::paper, 1e-5));
   EXPECT_EQ(std::tie(a.eps_eff, a.eps_eff_error, a.t_k, a.contacts),
             std::tie(b.eps_eff, b.eps_eff_error, b.t_k, b.contacts));
 }

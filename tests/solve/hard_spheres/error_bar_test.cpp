@@ -28,7 +28,7 @@ Parameters random_tuple(Random& uniform) {
   if (uniform(0.0, 1.0) < 0.6) p.width = p.d * uniform(0.05, 1.8);
   if (uniform(0.0, 1.0) < 0.6) p.random_separation = Flag::yes;
   p.seed = static_cast<std::int64_t>(uniform.bits() >> 1);
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 TEST(HardSpheresErrorBar, HoldsForRandomColumns) {
@@ -36,7 +36,7 @@ TEST(HardSpheresErrorBar, HoldsForRandomColumns) {
   ErrorBars bars;
   for (int i = 0; i < 400; ++i) {
     const Parameters p = random_tuple(random);
-    const Collision c = simulate_hard_spheres(p);
+    const SimulationResult c = simulate_hard_spheres(p);
     ASSERT_TRUE(is_success(c.status) || c.status == Status::tolerance_missed) << name_of(c.status);
     ASSERT_EQ(is_success(c.status), c.eps_eff_error <= p.tolerance);
     if (p.ed_rule == EdRule::tc) {

@@ -19,14 +19,14 @@ Parameters tc_model(std::int64_t N, double epsilon, double sigma, Wall wall = Wa
   p.sigma = sigma;
   p.wall = wall;
   p.ed_rule = rule;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 class TcReference : public testing::TestWithParam<reference::HardTc> {};
 
 TEST_P(TcReference, IsReproduced) {
   const reference::HardTc& r = GetParam();
-  const Collision c = simulate(tc_model(r.N, r.epsilon, r.sigma, r.wall));
+  const SimulationResult c = simulate(tc_model(r.N, r.epsilon, r.sigma, r.wall));
   EXPECT_NEAR(c.eps_eff, r.eps_eff, c.eps_eff_error + r.uncertainty);
   if (!r.well_conditioned) return;
   EXPECT_EQ(c.status, Status::ok);
@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Columns, TcReference, testing::ValuesIn(reference::hard
 TEST(TcModel, TouchingColumnLosesInItsFirstCollisionOnly) {
   for (const std::int64_t N : {1, 2, 10, 40})
     for (const double epsilon : {0.2, 0.6, 0.9}) {
-      const Collision c = simulate(tc_model(N, epsilon, 0.0, Wall::matched));
+      const SimulationResult c = simulate(tc_model(N, epsilon, 0.0, Wall::matched));
       EXPECT_EQ(c.status, Status::ok);
       // One bead turns round with epsilon, the others' energy stays: (N - 1 + epsilon^2)/N of it.
       const double n = static_cast<double>(N);
@@ -57,8 +57,8 @@ TEST(TcModel, TouchingColumnLosesInItsFirstCollisionOnly) {
 
 TEST(TcModel, LongFlightsMakeItTheOtherRule) {
   for (const Wall wall : {Wall::paper, Wall::matched}) {
-    const Collision tc = simulate(tc_model(10, 0.9, 1e4, wall));
-    const Collision lrv = simulate(tc_model(10, 0.9, 1e4, wall, EdRule::lrv));
+    const SimulationResult tc = simulate(tc_model(10, 0.9, 1e4, wall));
+    const SimulationResult lrv = simulate(tc_model(10, 0.9, 1e4, wall, EdRule::lrv));
     EXPECT_EQ(tc.eps_eff, lrv.eps_eff);
     EXPECT_EQ(tc.contacts, lrv.contacts);
   }
@@ -68,7 +68,7 @@ TEST(TcModel, NeverCollapsesAndAlwaysEnds) {
   for (const std::int64_t N : {2, 3, 10, 30})
     for (const double epsilon : {1e-6, 0.1, 0.6, 0.9})
       for (const double sigma : {0.0, 1e-3, 0.3, 3.0, 100.0, 1e8, 1e14}) {
-        const Collision c = simulate(tc_model(N, epsilon, sigma));
+        const SimulationResult c = simulate(tc_model(N, epsilon, sigma));
         ASSERT_TRUE(c.status == Status::ok || c.status == Status::tolerance_missed)
             << "N=" << N << " eps=" << epsilon << " sigma=" << sigma << " " << name_of(c.status);
         EXPECT_NE(c.end, End::none);

@@ -31,8 +31,8 @@ inline Parameters vibrated(std::int64_t N, double epsilon, double alpha, std::in
   return p;
 }
 
-inline Collision run(const Parameters& p) {
-  const Collision c = simulate_vibrated_hard_spheres(complete(p, Gap::s0));
+inline SimulationResult run(const Parameters& p) {
+  const SimulationResult c = simulate_vibrated_hard_spheres(complete(p, GapParameter::s0));
   if (is_success(c.status)) {
     EXPECT_EQ(c.end, End::periods);
     EXPECT_TRUE(std::isfinite(c.vibration.h_cm));
@@ -41,7 +41,9 @@ inline Collision run(const Parameters& p) {
 }
 
 inline double unit_length(const Parameters& p) { return p.gravity / (turn * p.frequency * turn * p.frequency); }
-inline double excess(const Parameters& p, const Collision& c) { return c.vibration.h_cm_excess / unit_length(p); }
+inline double excess(const Parameters& p, const SimulationResult& c) {
+  return c.vibration.h_cm_excess / unit_length(p);
+}
 
 /// Sees where the beads are, ten times a period.
 struct Film {

@@ -89,7 +89,7 @@ TEST(Rest, StaysOnASlowPlate) {
     for (const double alpha : {0.0, 0.3, 0.999999, 1.0})
       for (const double epsilon : {0.1, 0.9, 1.0}) {
         const Parameters p = vibrated(N, epsilon, alpha);
-        const Collision c = run(p);
+        const SimulationResult c = run(p);
         EXPECT_EQ(c.status, Status::ok);
         EXPECT_EQ(c.contacts, 0u);
         EXPECT_NEAR(excess(p, c), 0.0, 1e-15);
@@ -100,7 +100,7 @@ TEST(Rest, StaysOnASlowPlate) {
       }
   Parameters p = vibrated(10, 0.9, 0.7, 200, 100);  // after a fall and what comes of it
   p.s0 = 1e-4;
-  const Collision c = run(p);
+  const SimulationResult c = run(p);
   EXPECT_EQ(c.status, Status::collapsed);
   EXPECT_NEAR(excess(p, c), 0.0, 1e-15);
   EXPECT_EQ(c.vibration.separation_max, 0.0);
@@ -119,7 +119,7 @@ TEST_P(References, AreReproduced) {
   const Reference& r = GetParam();
   Parameters p = vibrated(10, 0.92, r.alpha, 10'000, 500);
   p.wall = r.wall;
-  const Collision c = run(p);
+  const SimulationResult c = run(p);
   EXPECT_NEAR(c.vibration.h_cm_excess, r.h_cm_excess, 4.0 * std::hypot(r.error, c.vibration.h_cm_error));
   EXPECT_LT(c.vibration.h_cm_error, 0.02 * r.h_cm_excess);
 }
@@ -151,7 +151,7 @@ TEST(Books, Balance) {
             p.width = width;
             p.ed_rule = rule;
             p.tc = 1e-3;
-            const Collision c = run(p);
+            const SimulationResult c = run(p);
             ASSERT_TRUE(is_success(c.status)) << name_of(c.status);
             const double rounding = std::numeric_limits<double>::epsilon() * (100.0 + static_cast<double>(c.contacts));
             EXPECT_LT(std::fabs(c.vibration.imbalance), rounding)
@@ -161,7 +161,7 @@ TEST(Books, Balance) {
 
 TEST(Books, ElasticBeadsLoseNothing) {
   for (const std::int64_t N : {1, 2, 10}) {
-    const Collision c = run(vibrated(N, 1.0, 3.0, 300));
+    const SimulationResult c = run(vibrated(N, 1.0, 3.0, 300));
     EXPECT_EQ(c.status, Status::ok);
     EXPECT_EQ(c.vibration.power_lost, 0.0);
     EXPECT_GT(c.vibration.power_in, 0.0);
@@ -173,7 +173,7 @@ TEST(Scaling, OnlyReducedParametersCount) {
   Parameters p = vibrated(6, 0.9, 4.0, 3, 0);
   p.s0 = 2e-4;
   p.random_separation = Flag::yes;
-  const Collision c = run(p);
+  const SimulationResult c = run(p);
   const auto scaled = [&](double f, double g) {
     Parameters q = p;
     q.frequency *= f;
@@ -196,7 +196,7 @@ TEST(Extremes, EndWithAResult) {
           if (epsilon >= 0.9 && N == 100 && alpha < 2.0) continue;  // ten thousands of collisions a period
           Parameters p = vibrated(N, epsilon, alpha, 20);
           p.frequency = frequency;
-          const Collision c = run(p);
+          const SimulationResult c = run(p);
           EXPECT_TRUE(is_success(c.status)) << N << " " << alpha << " " << epsilon << " " << name_of(c.status);
         }
   EXPECT_TRUE(is_success(run(vibrated(10, 0.92, 100.0, 10'000)).status));
@@ -208,7 +208,7 @@ TEST(Extremes, TcModelBouncesOnUntilTheLimit) {
   p.s0 = 1e-3;
   p.ed_rule = EdRule::tc;
   p.tc = 1e-4;
-  const Collision c = run(p);  // bounces of a duration of tc, from when they are that short
+  const SimulationResult c = run(p);  // bounces of a duration of tc, from when they are that short
   EXPECT_EQ(c.status, Status::ok);
   EXPECT_GT(static_cast<double>(c.contacts), 0.5 * 3 / (p.frequency * p.tc));
   EXPECT_LT(static_cast<double>(c.contacts), 10.0 * 3 / (p.frequency * p.tc));
@@ -224,8 +224,9 @@ TEST(GivingUp, IsAStatus) {
   VibratedHardSpheres slow(column({0.1, 0.2, 0.3}, 0.9, 0.9), Plate{1.0, 3.0, 1.0}, {.period_limit = 5});
   slow.run(again);
   EXPECT_EQ(slow.status(), Status::event_limit);
-  Patience none(0.0);
-  const Collision c = simulate_vibrated_hard_spheres(complete(vibrated(10, 0.92, 3.0, 1'000'000), Gap::s0), &none);
+  ComputeBudget none(0.0);
+  const SimulationResult c =
+      simulate_vibrated_hard_spheres(complete(vibrated(10, 0.92, 3.0, 1'000'000), GapParameter::s0), &none);
   EXPECT_EQ(c.status, Status::time_limit);
   EXPECT_TRUE(std::isnan(c.vibration.h_cm));
 }

@@ -17,7 +17,7 @@ Column<long double> column(std::int64_t N, double epsilon, double sigma, Wall wa
   p.epsilon = epsilon;
   p.sigma = sigma;
   p.wall = wall;
-  return reduced_column<long double>(complete(p, Gap::sigma));
+  return reduced_column<long double>(complete(p, GapParameter::sigma));
 }
 
 long double eps_eff(const Column<long double>& column) {

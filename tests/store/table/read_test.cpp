@@ -128,7 +128,7 @@ TEST_F(TableReadTest, ReadsAPlainTable) {
   EXPECT_EQ(table.rows[2].parameters.v0, 2.5);
   EXPECT_EQ(table.rows[2].timing.run_time, 2.25);
   EXPECT_EQ(table.rows[2].parameters.N, Parameters().N);
-  EXPECT_TRUE(std::isnan(table.rows[2].collision.eps_eff));
+  EXPECT_TRUE(std::isnan(table.rows[2].result.eps_eff));
   ASSERT_EQ(table.columns.size(), 1u);
   EXPECT_EQ(table.columns[0].name, "v0");
   EXPECT_EQ(table.info.spec_hash, 255u);

@@ -155,9 +155,9 @@ TEST_F(TableTest, MembersThatAreNotColumnsKeepTheirDefaults) {
   for (const Row& row : table.rows) {
     EXPECT_EQ(row.parameters.v0, samples::row(row.index).parameters.v0);
     EXPECT_EQ(row.parameters.N, samples::row(row.index).parameters.N);
-    EXPECT_EQ(row.collision.status, samples::row(row.index).collision.status);
+    EXPECT_EQ(row.result.status, samples::row(row.index).result.status);
     EXPECT_EQ(row.parameters.tc, Parameters().tc);
-    EXPECT_TRUE(std::isnan(row.collision.t_k));
+    EXPECT_TRUE(std::isnan(row.result.t_k));
     EXPECT_EQ(row.timing.run_time, samples::row(row.index).timing.run_time);
   }
 }
@@ -286,7 +286,7 @@ TEST_F(TableTest, ReadingBackSeesAFlippedBitAndACutFile) {
   const auto [first, count] = block_of(Deal::even, 100, rank, size);
   const std::vector<Row> block = samples::rows(first, count);
   const Hdf5Session session;
-  const Team team(MPI_COMM_WORLD);
+  const RankGroup team(MPI_COMM_WORLD);
   if (rank == 0) put_bytes(path, "");
   barrier();
   const auto written = write_part(team, path, info(), sections, 100, {first, block});

@@ -14,8 +14,8 @@ Row sample_row() {
   row.parameters.N = 10;
   row.parameters.method = Method::ed;
   row.parameters.integrator = Integrator::gear5;
-  row.collision.status = Status::collapsed;
-  row.collision.eps_eff = 0.3;
+  row.result.status = Status::collapsed;
+  row.result.eps_eff = 0.3;
   return row;
 }
 
@@ -63,7 +63,7 @@ TEST(Where, NamesThatMeanSeveralThings) {
   row.parameters.tc = 1e-4;
   row.parameters.law = Law::hertz_kuwabara_kono;
   row.parameters.random_separation = Flag::yes;
-  row.collision.end = End::separated;
+  row.result.end = End::separated;
   std::vector<Field> all(parameter_fields().begin(), parameter_fields().end());
   all.insert(all.end(), result_fields().begin(), result_fields().end());
   const auto is = [&](const std::string& expression) { return Where(expression, all)(row); };

@@ -174,13 +174,13 @@ TEST(LatticeSweep, IsPlottedLikeAColumn) {
 TEST(LatticeSweep, AndItsFieldsAreUsedByItAlone) {
   Parameters lattice, column;
   lattice.geometry = Geometry::lattice;
-  lattice = complete(lattice, Gap::s0);
+  lattice = complete(lattice, GapParameter::s0);
   for (const char* name : {"rows", "columns", "D_t", "side_walls"}) {
-    EXPECT_TRUE(is_used(*find_field(name), lattice)) << name;
-    EXPECT_FALSE(is_used(*find_field(name), column)) << name;
+    EXPECT_TRUE(applies_to(*find_field(name), lattice)) << name;
+    EXPECT_FALSE(applies_to(*find_field(name), column)) << name;
   }
-  EXPECT_FALSE(is_used(*find_field("N"), lattice));
-  EXPECT_TRUE(is_used(*find_field("N"), column));
+  EXPECT_FALSE(applies_to(*find_field("N"), lattice));
+  EXPECT_TRUE(applies_to(*find_field("N"), column));
 }
 
 TEST(LatticeCost, IsPositiveFiniteAndGrows) {
@@ -191,11 +191,11 @@ TEST(LatticeCost, IsPositiveFiniteAndGrows) {
         p.geometry = geometry;
         p.integrator = integrator;
         p.sigma = sigma;
-        give_beads(p);
+        derive_beads(p);
         const double time = predicted_time(p);
         EXPECT_TRUE(std::isfinite(time) && time > 0.0) << time;
         p.rows *= 2;
-        give_beads(p);
+        derive_beads(p);
         EXPECT_GT(predicted_time(p), 1.9 * time);
       }
 }

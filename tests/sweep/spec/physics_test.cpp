@@ -70,7 +70,7 @@ TEST(Ways, RowsAreWhatCompleteSays) {
   for (std::uint64_t k = 0; k < all.size(); ++k) {
     Parameters given = all.at(k);
     given.tc = given.epsilon = given.sigma = 0.5;
-    expect_same(all.at(k), complete(given, Gap::s0));
+    expect_same(all.at(k), complete(given, GapParameter::s0));
   }
   const Sweep materials = with("law = [\"hooke\", \"hertz\"]\nmaterial = [\"aluminium\", \"steel\"]");
   for (std::uint64_t k = 0; k < materials.size(); ++k) {
@@ -80,7 +80,7 @@ TEST(Ways, RowsAreWhatCompleteSays) {
     given.s0 = 1e-6;
     given.law = materials.at(k).law;
     given.material = materials.at(k).material;
-    expect_same(materials.at(k), complete(given, Gap::s0));
+    expect_same(materials.at(k), complete(given, GapParameter::s0));
   }
 }
 
@@ -229,12 +229,12 @@ TEST(Usage, EveryRuleSaysWhatItNeeds) {
   for (const Field& field : parameter_fields()) {
     Parameters plain;
     plain.method = Method::ed;
-    EXPECT_TRUE(is_used(field, plain) || !needed_for(field).empty()) << field.name;
+    EXPECT_TRUE(applies_to(field, plain) || !requirement_of(field).empty()) << field.name;
   }
   Parameters steel;
   steel.material = Material::steel;
-  steel = complete(steel, Gap::s0);
+  steel = complete(steel, GapParameter::s0);
   for (const char* follows : {"tc", "epsilon", "K_over_m", "D_n", "d"})
-    EXPECT_FALSE(is_used(*find_field(follows), steel)) << follows;
-  EXPECT_TRUE(is_used(*find_field("material"), steel));
+    EXPECT_FALSE(applies_to(*find_field(follows), steel)) << follows;
+  EXPECT_TRUE(applies_to(*find_field("material"), steel));
 }

@@ -29,7 +29,7 @@ Row sample_row() {
   row.parameters.tc = 2e-5;
   row.parameters.epsilon = 0.75;
   row.parameters.ed_rule = EdRule::tc;
-  row.collision.eps_eff = 0.5;
+  row.result.eps_eff = 0.5;
   return row;
 }
 

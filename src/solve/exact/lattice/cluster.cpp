@@ -6,7 +6,7 @@
 namespace sigmasweep {
 namespace {
 
-constexpr int most_tries = 200;
+constexpr int max_tries = 200;
 /// Of the first step that a cluster ever makes, tc.
 constexpr double first_span = 0.05;
 constexpr double shortest_span = 1e-4;
@@ -146,7 +146,7 @@ bool LatticeCluster<Real, Ground>::step(const Real& begin, const Real& longest) 
   for (auto* v : {&q_, &v_, &f_}) v->resize(n + 1 + guests_.size());
   slopes(start_, start_slope_, begin_);
   Real span = std::min(next_, longest);
-  for (int tries = 0; tries < most_tries; ++tries) {
+  for (int tries = 0; tries < max_tries; ++tries) {
     const Real error = trial(span);
     if (error <= 1) {
       next_ = span * std::min(Real(4), Real(0.9) * Real(pow(std::max(error, Real(1e-8)), Real(-0.125))));

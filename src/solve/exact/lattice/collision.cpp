@@ -15,7 +15,7 @@ double eps_eff(const Lattice<Real>& lattice, const LatticeOutcome<Real>& outcome
 }
 
 template <class Real>
-Collision result(const Parameters& p, const Lattice<Real>& lattice, const LatticeOutcome<Real>& outcome) {
+SimulationResult result(const Parameters& p, const Lattice<Real>& lattice, const LatticeOutcome<Real>& outcome) {
   return in_si_with(energies(lattice, outcome.velocity), outcome, p);
 }
 
@@ -52,12 +52,12 @@ double undecided(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, 
 
 /// The collision with local errors of `accuracy`, its error from a second run with ten times as much.
 template <class Real>
-Collision pair_of_runs(const Parameters& p, const LatticeOptions& options) {
+SimulationResult pair_of_runs(const Parameters& p, const LatticeOptions& options) {
   const Lattice<Real> lattice = reduced_lattice<Real>(p);
   LatticeOptions coarse = options;
   coarse.accuracy *= 10.0;
   const LatticeOutcome<Real> outcome = lattice_collision(lattice, options);
-  Collision c = result(p, lattice, outcome);
+  SimulationResult c = result(p, lattice, outcome);
   if (c.status != Status::ok) return c;
   const LatticeOutcome<Real> other = lattice_collision(lattice, coarse);
   const double difference = other.status != Status::ok
@@ -74,17 +74,17 @@ Collision pair_of_runs(const Parameters& p, const LatticeOptions& options) {
 /// Larger local errors hardly save time, and in rows of beads side by side are motions that do not settle.
 constexpr double coarsest = 1e-8;
 
-Collision exact(const Parameters& p, Patience* patience) {
+SimulationResult exact(const Parameters& p, ComputeBudget* budget) {
   return to_tolerance(p.tolerance, [&]<class Real>(double accuracy) {
     return pair_of_runs<Real>(
-        p, {.accuracy = std::min(accuracy, coarsest), .settle = 1e-3 * p.tolerance, .patience = patience});
+        p, {.accuracy = std::min(accuracy, coarsest), .settle = 1e-3 * p.tolerance, .budget = budget});
   });
 }
 
 }  // namespace
 
-Collision simulate_lattice(const Parameters& p, Patience* patience) {
-  return p.integrator == Integrator::exact ? exact(p, patience) : simulate_fixed_step(p, patience);
+SimulationResult simulate_lattice(const Parameters& p, ComputeBudget* budget) {
+  return p.integrator == Integrator::exact ? exact(p, budget) : simulate_fixed_step(p, budget);
 }
 
 }  // namespace sigmasweep

@@ -241,7 +241,7 @@ void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> g
         cluster.add_contact(slot_[i], slot_[other.bead], other);
       }
     }
-  held.whole = guests.empty() && group.size() <= most_whole;
+  held.whole = guests.empty() && group.size() <= max_whole;
   if (!held.whole) longest = std::min(longest, Real(next_beat(t) - t));
   if (!held.whole || span < never) cluster.expect(held.whole ? span : longest);
   ++held.version;

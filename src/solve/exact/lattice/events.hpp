@@ -47,7 +47,7 @@ class LatticeEvents {
  private:
   using Cluster = LatticeCluster<Real, Ground>;
   /// Beads of a cluster that is moved as a whole.
-  static constexpr std::size_t most_whole = Ground::moves ? SIZE_MAX : 60;
+  static constexpr std::size_t max_whole = Ground::moves ? SIZE_MAX : 60;
   static constexpr Real never = std::numeric_limits<Real>::infinity();
 
   struct Bead {

@@ -10,7 +10,7 @@ namespace {
 template <class Ground>
 constexpr int reach = Ground::moves ? 1'000'000 : 2;
 /// Large clusters without beads that are kept.
-constexpr std::size_t most_large = 4;
+constexpr std::size_t max_large = 4;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::size_t LatticeEvents<Real, Ground>::new_cluster(std::size_t count) {
   const std::size_t id = free_clusters_.back();
   free_clusters_.pop_back();
   Held& held = clusters_[id];
-  if (count > most_whole && !large_.empty()) {
+  if (count > max_whole && !large_.empty()) {
     held.cluster = std::move(large_.back());
     large_.pop_back();
   }
@@ -59,8 +59,8 @@ void LatticeEvents<Real, Ground>::gather_cluster(std::size_t id, const Real& t, 
   held.in_use = false;
   ++held.version;
   free_clusters_.push_back(id);
-  if (cluster.beads().size() > most_whole) {
-    if (large_.size() < most_large) large_.push_back(std::move(held.cluster));
+  if (cluster.beads().size() > max_whole) {
+    if (large_.size() < max_large) large_.push_back(std::move(held.cluster));
     held.cluster.reset();
   }
 }

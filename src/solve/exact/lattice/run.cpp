@@ -23,7 +23,7 @@ Status LatticeEvents<Real, Ground>::why_stop() {
   const std::uint64_t work = std::exchange(work_, 1);
   all_work_ += work;
   if (contacts_ >= options_.event_limit || all_work_ >= options_.work_limit) return Status::event_limit;
-  if (options_.patience && options_.patience->is_over(work)) return Status::time_limit;
+  if (options_.budget && options_.budget->is_over(work)) return Status::time_limit;
   return Status::ok;
 }
 
@@ -71,12 +71,12 @@ template <class Watcher>
 LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
   constexpr double longest_clock = 64.0;
   const Column<Real>& beads = lattice_.beads;
-  const Real quiet = lattice_.quiet_time(), patience = std::max(quiet, Real(creeping) * beads.tc);
+  const Real quiet = lattice_.quiet_time(), budget = std::max(quiet, Real(creeping) * beads.tc);
   begin_anew(Real(0));
   LatticeOutcome<Real> outcome;
   while (outcome.end == End::none && (outcome.status = why_stop()) == Status::ok) {
     const Real t = next_event();
-    if constexpr (Watcher::watches) {
+    if constexpr (Watcher::observes) {
       show(watcher, t);
       if (watcher.done()) break;
     } else if (closed_ == 0 && quiet > 0 && epoch_ + t > last_touch_ + quiet) {
@@ -88,7 +88,7 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
         outcome.remainder = change;
         outcome.end = change == Real(0) ? End::separated : End::settled;
       }
-    } else if (closed_ > 0 && epoch_ + now_ > last_change_ + patience) {
+    } else if (closed_ > 0 && epoch_ + now_ > last_change_ + budget) {
       const Real change = later_change(held() + (quiet > 0 ? Real(0) : approach()));
       if (change <= Real(options_.settle)) {
         outcome.remainder = change;
@@ -114,7 +114,7 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
   outcome.x_max = x_max_;
   outcome.contacts = contacts_;
   outcome.contact_time = contact_time_;
-  if constexpr (!Watcher::watches)
+  if constexpr (!Watcher::observes)
     if (outcome.end == End::quiet) doubt_the_end(outcome);
   return outcome;
 }
@@ -212,13 +212,13 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::follow(Watcher& watcher) requi
 
 template <class Real>
 LatticeOutcome<Real> lattice_collision(const Lattice<Real>& lattice, const LatticeOptions& options) {
-  Nobody nobody;
+  NullObserver nobody;
   return LatticeEvents<Real>(lattice, options).run(nobody);
 }
 template LatticeOutcome<double> lattice_collision(const Lattice<double>&, const LatticeOptions&);
 template LatticeOutcome<long double> lattice_collision(const Lattice<long double>&, const LatticeOptions&);
 
-void watch_lattice(const Lattice<double>& lattice, LatticeSamples& samples) {
+void observe_lattice(const Lattice<double>& lattice, LatticeSamples& samples) {
   LatticeEvents<double>(lattice, {}).run(samples);
 }
 

@@ -61,12 +61,13 @@ struct Effort {
 
 /// The collision computed in `Real`, its error bar included.
 template <class Real, bool Uneven, int Order>
-Collision computed_from(const Column<Real>& column, const Parameters& p, const ExactOptions& options, Effort& effort) {
+SimulationResult computed_from(const Column<Real>& column, const Parameters& p, const ExactOptions& options,
+                               Effort& effort) {
   using Exact = ExactColumn<Real, 1, Uneven, Order>;
   Exact exact(column, options);
   const Outcome<Real> outcome = exact.run();
   effort = {exact.work(), static_cast<double>(exact.disturbance())};
-  Collision c = in_si<Real>(outcome, p, column.mass);
+  SimulationResult c = to_si_result<Real>(outcome, p, column.mass);
   if (c.status != Status::ok) return c;
   double roundings = last_roundings + drift * double(exact.work()) / double(p.N);
   if constexpr (Uneven) roundings += shares * double(outcome.contacts) / double(p.N);
@@ -78,7 +79,7 @@ Collision computed_from(const Column<Real>& column, const Parameters& p, const E
 }
 
 template <class Real, int Order = TaylorOrder<Real>::value>
-Collision computed_in(const Parameters& p, const ExactOptions& options, Effort& effort) {
+SimulationResult computed_in(const Parameters& p, const ExactOptions& options, Effort& effort) {
   const Column<Real> column = reduced_column<Real>(p);
   if (column.is_uniform()) return computed_from<Real, false, Order>(column, p, options, effort);
   return computed_from<Real, true, Order>(column, p, options, effort);
@@ -113,23 +114,23 @@ double spread(const Parameters& p, const ExactOptions& options, double eps_eff) 
 
 }  // namespace
 
-Collision simulate_exact(const Parameters& p, Patience* patience) {
+SimulationResult simulate_exact(const Parameters& p, ComputeBudget* budget) {
   ExactOptions options;
-  options.patience = patience;
+  options.budget = budget;
   options.settle = 1e-3 * p.tolerance;
   Effort effort;
   if (p.tolerance >= loose) {
-    const Collision quick = computed_in<double, low_order>(p, options, effort);
+    const SimulationResult quick = computed_in<double, low_order>(p, options, effort);
     if (quick.status == Status::ok && quick.eps_eff_error <= p.tolerance) return quick;
   }
-  Collision c = computed_in<double>(p, options, effort);
+  SimulationResult c = computed_in<double>(p, options, effort);
   if (c.status != Status::ok || c.eps_eff_error <= p.tolerance) return c;
 
   const double wanted = safety * effort.disturbance / p.tolerance;
   c.eps_eff_error = std::min(c.eps_eff_error, spread(p, options, c.eps_eff));
   if (c.eps_eff_error <= p.tolerance) return c;
 
-  const auto keep_better = [&](const Collision& wide) {
+  const auto keep_better = [&](const SimulationResult& wide) {
     if (wide.status == Status::ok && wide.eps_eff_error < c.eps_eff_error) c = wide;
     return c.eps_eff_error <= p.tolerance;
   };

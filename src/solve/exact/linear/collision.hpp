@@ -16,7 +16,7 @@ struct ExactOptions {
   double settle = 1e-13;          ///< stop once later collisions can change eps_eff by less than this; 0: never
   std::uint64_t event_limit = 0;  ///< contacts before giving up (and 8 times as many steps); 0: 100,000 + 20 N^2
   std::uint64_t work_limit = 100'000'000;  ///< contacts propagated, summed over the steps, before giving up: minutes
-  Patience* patience = nullptr;            ///< asked now and then; Status::time_limit where it is over
+  ComputeBudget* budget = nullptr;         ///< asked now and then; Status::time_limit where it is over
 };
 
 /// One collision. Real is double, long double or Quad; the result is good to a few roundings of Real times the
@@ -36,6 +36,6 @@ Outcome<Real> exact_collision_from(const Column<Real>& column, std::span<const R
 /// above the tolerance, two twins of the column that differ in the thirteenth digit have the second say, and then the
 /// wider types, if about a second is enough for them. Status tolerance_missed with the smallest error found where none
 /// meets the tolerance. contacts, t_k and x_max are those up to the stop at `settle` = tolerance/1000.
-Collision simulate_exact(const Parameters& parameters, Patience* patience = nullptr);
+SimulationResult simulate_exact(const Parameters& parameters, ComputeBudget* budget = nullptr);
 
 }  // namespace sigmasweep

@@ -54,7 +54,7 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run(Watche
   const std::uint64_t step_limit = 8 * options_.event_limit;
   for (std::uint64_t step = 0;; ++step) {
     Real t = events_.time_of(events_.first());
-    if constexpr (Watcher::watches) {
+    if constexpr (Watcher::observes) {
       watcher.until(epoch_ + t, [this](const Real& when, auto x, auto u) { state_at(when - epoch_, x, u); });
       if (watcher.done()) break;
     }
@@ -66,7 +66,7 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run(Watche
       outcome.status = t >= 0 ? Status::event_limit : Status::non_finite;
       break;
     }
-    if (options_.patience && options_.patience->is_over(1 + closed_count_)) {
+    if (options_.budget && options_.budget->is_over(1 + closed_count_)) {
       outcome.status = Status::time_limit;
       break;
     }
@@ -89,7 +89,7 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run(Watche
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run() {
-  Nobody nobody;
+  NullObserver nobody;
   return run(nobody);
 }
 

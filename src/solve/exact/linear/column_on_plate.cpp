@@ -12,14 +12,14 @@ namespace {
 constexpr double worth = 4.0;
 constexpr int longest_wait = 16;
 /// Beads up to which their modes are worth finding: tenths of a second where masses differ, a hundredth else.
-constexpr std::size_t most_beads = 100, most_uneven_beads = 32;
+constexpr std::size_t max_beads = 100, max_uneven_beads = 32;
 
 }  // namespace
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 Status ExactColumn<Real, Disturbances, Uneven, Order, Ground>::why_stop() requires(Ground::moves) {
   if (contacts_ >= options_.event_limit || work_ >= options_.work_limit) return Status::event_limit;
-  if (options_.patience && options_.patience->is_over(1 + closed_count_)) return Status::time_limit;
+  if (options_.budget && options_.budget->is_over(1 + closed_count_)) return Status::time_limit;
   return Status::ok;
 }
 
@@ -44,7 +44,7 @@ bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_rest(Group& g
   if (group.lo > 0 || !(ground_.load(group.start) > 0)) return false;
   std::size_t beads = 0;
   while (beads <= group.hi && closed_[beads]) ++beads;
-  if (beads < group.hi || beads == 0 || beads > (Uneven ? most_uneven_beads : most_beads)) return false;
+  if (beads < group.hi || beads == 0 || beads > (Uneven ? max_uneven_beads : max_beads)) return false;
   if (on_ground_.wait-- > 0) return false;
   auto& clusters = on_ground_.clusters;
   if (clusters.size() <= beads) clusters.resize(N_ + 1);

@@ -215,7 +215,7 @@ class TaylorGroup {
   }
 
  private:
-  using Block = Lanes<Real>;  ///< eight neighbouring contacts
+  using Block = SimdPack<Real>;  ///< eight neighbouring contacts
   using Blocks = std::vector<Block>;
   static constexpr int screen = 12;  ///< degree of the Bernstein polynomial that rules out most roots
   static constexpr double never = 1e9;

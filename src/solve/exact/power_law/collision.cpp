@@ -29,12 +29,12 @@ constexpr std::uint64_t long_double_limit = 150'000;
 
 /// The collision with local errors of `accuracy`, its error from a second run with ten times as much.
 template <class Real>
-Collision pair_of_runs(const Parameters& p, const NonlinearOptions& options) {
+SimulationResult pair_of_runs(const Parameters& p, const NonlinearOptions& options) {
   const Column<Real> column = reduced_column<Real>(p);
   NonlinearOptions coarse = options;
   coarse.accuracy *= 10.0;
   const Outcome<Real> outcome = nonlinear_collision(column, options);
-  Collision c = in_si(outcome, p, std::span<const Real>(column.mass));
+  SimulationResult c = to_si_result(outcome, p, std::span<const Real>(column.mass));
   if (c.status != Status::ok) return c;
   const Outcome<Real> other = nonlinear_collision(column, coarse);
   const double difference =
@@ -46,10 +46,10 @@ Collision pair_of_runs(const Parameters& p, const NonlinearOptions& options) {
 
 }  // namespace
 
-Collision simulate_nonlinear(const Parameters& p, Patience* patience) {
+SimulationResult simulate_nonlinear(const Parameters& p, ComputeBudget* budget) {
   return to_tolerance(p.tolerance, [&]<class Real>(double accuracy) {
     NonlinearOptions options;
-    options.patience = patience;
+    options.budget = budget;
     options.settle = 1e-3 * p.tolerance;
     options.accuracy = accuracy;
     if (!std::is_same_v<Real, double>) options.work_limit = long_double_limit;

@@ -17,7 +17,7 @@ struct NonlinearOptions {
   double settle = 1e-13;                  ///< stop once later collisions can change eps_eff by less than this; 0: never
   std::uint64_t event_limit = 0;          ///< contacts before giving up; 0: 100,000 + 20 N^2
   std::uint64_t work_limit = 50'000'000;  ///< contacts propagated, summed over all trial steps, before giving up
-  Patience* patience = nullptr;           ///< asked now and then; Status::time_limit where it is over
+  ComputeBudget* budget = nullptr;        ///< asked now and then; Status::time_limit where it is over
 };
 
 /// One collision of a column in reduced units (speed and tc are 1). Real is double or long double.
@@ -28,6 +28,6 @@ Outcome<Real> nonlinear_collision(const Column<Real>& column, const NonlinearOpt
 /// The tuple's collision with an error bar: the difference between two runs, one with local errors ten times those of
 /// the other, and what is left to dissipate. Where that is above the tolerance finer pairs of runs follow, in long
 /// double in the end; status tolerance_missed with the smallest error found where none meets the tolerance.
-Collision simulate_nonlinear(const Parameters& parameters, Patience* patience = nullptr);
+SimulationResult simulate_nonlinear(const Parameters& parameters, ComputeBudget* budget = nullptr);
 
 }  // namespace sigmasweep

@@ -30,7 +30,7 @@ Outcome<Real> NonlinearColumn<Real, Ground>::run(Watcher& watcher) {
   Outcome<Real> outcome;
   while (outcome.end == End::none && outcome.status == Status::ok) {
     Real t = events_.time_of(events_.first());
-    if constexpr (Watcher::watches) {
+    if constexpr (Watcher::observes) {
       watcher.until(epoch_ + t, [this](double when, auto x, auto u) { state_at(when - epoch_, x, u); });
       if (watcher.done()) break;
     }
@@ -40,7 +40,7 @@ Outcome<Real> NonlinearColumn<Real, Ground>::run(Watcher& watcher) {
       outcome.status = Status::non_finite;
     } else if (contacts_ >= options_.event_limit || work_ >= options_.work_limit) {
       outcome.status = Status::event_limit;
-    } else if (options_.patience && options_.patience->is_over(N_)) {
+    } else if (options_.budget && options_.budget->is_over(N_)) {
       outcome.status = Status::time_limit;
     } else if (is_settled()) {
       outcome.end = End::settled;
@@ -62,7 +62,7 @@ Outcome<Real> NonlinearColumn<Real, Ground>::run(Watcher& watcher) {
 
 template <class Real, class Ground>
 Outcome<Real> NonlinearColumn<Real, Ground>::run() {
-  Nobody nobody;
+  NullObserver nobody;
   return run(nobody);
 }
 
@@ -138,7 +138,7 @@ template <class Real, class Ground>
 Status NonlinearColumn<Real, Ground>::why_stop() requires(Ground::moves) {
   if (lost_) return Status::non_finite;
   if (contacts_ >= options_.event_limit || work_ >= options_.work_limit) return Status::event_limit;
-  if (options_.patience && options_.patience->is_over(N_)) return Status::time_limit;
+  if (options_.budget && options_.budget->is_over(N_)) return Status::time_limit;
   return Status::ok;
 }
 

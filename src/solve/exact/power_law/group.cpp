@@ -23,7 +23,7 @@ int root(Exponents e) {
 constexpr double near = 0.15;
 
 /// Spans tried for a step before it is given up, and those in a leader's variable before the time takes over.
-constexpr int most_tries = 400, patience = 12;
+constexpr int max_tries = 400, budget = 12;
 
 }  // namespace
 
@@ -170,11 +170,11 @@ bool PowerLawGroup<Real, Ground>::step(const Real& begin) {
   banned_ = none;
   choose_leader();
   Real span = first_guess();
-  for (int tries = 0; tries < most_tries; ++tries) {
+  for (int tries = 0; tries < max_tries; ++tries) {
     const Real error = trial(span);
     if (!(error <= 1) || (leader_ != none && leader_reverses())) {
       span = shortened(span, error);
-      if (leader_ != none && tries > patience) {  // it turns round before x = 0
+      if (leader_ != none && tries > budget) {  // it turns round before x = 0
         banned_ = leader_;
         lead_by(none);
         span = first_guess();

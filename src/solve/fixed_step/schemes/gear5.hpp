@@ -21,13 +21,13 @@ class Gear5 {
       : chain_(chain),
         r_{chain.x,
            chain.u,
-           Lanes(chain.components()),
-           Lanes(chain.components()),
-           Lanes(chain.components()),
-           Lanes(chain.components())},
+           AlignedLanes(chain.components()),
+           AlignedLanes(chain.components()),
+           AlignedLanes(chain.components()),
+           AlignedLanes(chain.components())},
         F_(chain.components()) {
     if constexpr (Chain::driven) {
-      const Lanes a = chain.first_acceleration();
+      const AlignedLanes a = chain.first_acceleration();
       for (std::size_t k = 0; k < chain.components(); ++k) r_[2][k] = 0.5 * a[k];
     }
   }
@@ -87,8 +87,8 @@ class Gear5 {
 
  private:
   const Chain& chain_;
-  Lanes r_[6];
-  Lanes F_;
+  AlignedLanes r_[6];
+  AlignedLanes F_;
 };
 
 }  // namespace sigmasweep

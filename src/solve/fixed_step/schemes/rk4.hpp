@@ -18,7 +18,7 @@ class RungeKutta4 {
         xs_(chain.x),
         us_(chain.components()),
         F_(chain.components()),
-        a_{Lanes(chain.components()), Lanes(chain.components()), Lanes(chain.components())} {}
+        a_{AlignedLanes(chain.components()), AlignedLanes(chain.components()), AlignedLanes(chain.components())} {}
 
   const double* x() const { return x_.data(); }
   const double* u() const { return u_.data(); }
@@ -77,8 +77,8 @@ class RungeKutta4 {
 
  private:
   const Chain& chain_;
-  Lanes x_, u_, xs_, us_, F_;
-  Lanes a_[3];
+  AlignedLanes x_, u_, xs_, us_, F_;
+  AlignedLanes a_[3];
 };
 
 }  // namespace sigmasweep

@@ -56,7 +56,7 @@ class Verlet {
 
  private:
   const Chain& chain_;
-  Lanes x_, u_, a_, predicted_, F_;
+  AlignedLanes x_, u_, a_, predicted_, F_;
 };
 
 }  // namespace sigmasweep

@@ -26,7 +26,7 @@ Parameters parameters(std::int64_t rows, std::int64_t columns, double epsilon, d
   p.tc = 2e-5;
   p.sigma = sigma;
   p.d = d * p.v0 * p.tc;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 Parameters rubbing(Parameters p, double D_t_over_D_n) {
@@ -155,9 +155,9 @@ TEST(Lattice, ErrorBarHolds) {
       p.random_separation = Flag::yes;
       p.seed = seed;
       p.tolerance = 1e-5;
-      const Collision coarse = simulate(p);
+      const SimulationResult coarse = simulate(p);
       p.tolerance = 1e-10;
-      const Collision fine = simulate(p);
+      const SimulationResult fine = simulate(p);
       ASSERT_EQ(coarse.status, Status::ok);
       ASSERT_EQ(fine.status, Status::ok);
       EXPECT_LE(std::fabs(coarse.eps_eff - fine.eps_eff), coarse.eps_eff_error + fine.eps_eff_error);
@@ -173,9 +173,9 @@ TEST(Lattice, ErrorBarHoldsWhereDiscsScatter) {
       p.random_separation = Flag::yes;
       p.seed = seed;
       p.tolerance = 0.1;
-      const Collision coarse = simulate(p);
+      const SimulationResult coarse = simulate(p);
       p.tolerance = 2e-5;
-      const Collision fine = simulate(p);
+      const SimulationResult fine = simulate(p);
       EXPECT_LE(std::fabs(coarse.eps_eff - fine.eps_eff), coarse.eps_eff_error + fine.eps_eff_error);
       EXPECT_LE(coarse.eps_eff_error, 0.1);
     }
@@ -186,7 +186,7 @@ TEST(Lattice, ErrorBarOfElasticLatticesIsSmall) {
   Parameters p = parameters(5, 6, 1.0, 3.0);
   p.random_separation = Flag::yes;
   p.tolerance = 1e-5;
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   EXPECT_EQ(c.status, Status::ok);
   EXPECT_NEAR(c.eps_eff, 1.0, c.eps_eff_error);
 }
@@ -199,7 +199,7 @@ TEST(Lattice, ErrorBarKnowsWhenTheEndIsUndecided) {
   constexpr double truth = 0.715555206783;  // long double, 1e-15 and 1e-17
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
     p.tolerance = tolerance;
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     EXPECT_NEAR(c.eps_eff, truth, c.eps_eff_error + 1e-12) << tolerance;
     EXPECT_LE(c.eps_eff_error, 1e-5) << tolerance;
   }
@@ -245,7 +245,7 @@ TEST(Lattice, WithoutDampingKeepsItsEnergy) {
 TEST(Lattice, KnowsWhatLongFlightsCost) {
   const double L = -std::log(0.9), pi = std::numbers::pi, wall = std::exp(-pi * L / std::sqrt(2.0 * pi * pi + L * L));
   for (const double sigma : {1e4, 1e6, 1e8}) {
-    const Collision c = simulate(parameters(1, 3, 0.9, sigma));
+    const SimulationResult c = simulate(parameters(1, 3, 0.9, sigma));
     EXPECT_NEAR(c.eps_eff, wall, c.eps_eff_error) << sigma;
     EXPECT_LT(c.eps_eff_error, 1e-6) << sigma;
     EXPECT_EQ(c.contacts, 3U);
@@ -276,9 +276,9 @@ TEST(Lattice, OfOverdampedBeadsEnds) {
       Parameters p = parameters(rows, 2, 0.5, sigma);
       p.K_over_m = 1e11;
       p.D_n = 1e6;  // sqrt(K_over_m) = 3.2e5
-      p = complete(p, Gap::sigma);
+      p = complete(p, GapParameter::sigma);
       p.tolerance = 1e-6;
-      const Collision c = simulate(p);
+      const SimulationResult c = simulate(p);
       EXPECT_EQ(c.status, Status::ok) << sigma << ' ' << rows;
       EXPECT_LT(c.eps_eff, 1e-2);
       EXPECT_GE(c.t_k, 0.0);
@@ -290,7 +290,7 @@ class ExtremeLattice : public testing::TestWithParam<Parameters> {};
 TEST_P(ExtremeLattice, LosesEnergyAndEnds) {
   Parameters p = GetParam();
   p.tolerance = 1e-6;
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   EXPECT_TRUE(c.status == Status::ok || c.status == Status::tolerance_missed) << int(c.status);
   EXPECT_GT(c.contacts, 0U);
   EXPECT_GE(c.t_k, 0.0);

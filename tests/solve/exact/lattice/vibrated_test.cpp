@@ -23,7 +23,7 @@ Parameters parameters(std::int64_t rows, std::int64_t columns, double tc) {
   p.seed = 1;
   p.periods = 6;
   p.transient = 1;
-  return complete(p, Gap::s0);
+  return complete(p, GapParameter::s0);
 }
 
 /// One bead is a column of one.
@@ -33,7 +33,7 @@ TEST(VibratedLattice, OfOneBeadIsAColumnOfOne) {
   p.random_separation = Flag::no;
   Parameters q = p;
   q.geometry = Geometry::vibrated_column;
-  const Collision column = simulate(q), same = simulate(p);
+  const SimulationResult column = simulate(q), same = simulate(p);
   ASSERT_EQ(column.status, Status::ok);
   ASSERT_EQ(same.status, Status::ok);
   // Local errors of 1e-10 of the plate's speed, 0.23 m/s, through 0.6 s; the column is exact to rounding.
@@ -51,7 +51,7 @@ TEST(VibratedLattice, KeepsItsBooks) {
       p.D_t = D_t;
       p.law = law;
       p.width = 0.2 * p.d;
-      const Collision c = simulate(p);
+      const SimulationResult c = simulate(p);
       ASSERT_EQ(c.status, Status::ok);
       EXPECT_EQ(c.end, End::periods);
       EXPECT_GT(c.contacts, 20U);
@@ -65,10 +65,10 @@ TEST(VibratedLattice, MovesAsSmallFixedStepsSay) {
   Parameters p = parameters(3, 2, 5e-4);
   p.periods = 1;
   p.transient = 0;
-  const Collision exact = simulate(p);
+  const SimulationResult exact = simulate(p);
   p.integrator = Integrator::rk4;
   p.steps_per_tc = 4000.0;
-  const Collision steps = simulate(p);
+  const SimulationResult steps = simulate(p);
   ASSERT_EQ(exact.status, Status::ok);
   ASSERT_EQ(steps.status, Status::ok);
   EXPECT_NEAR(steps.vibration.h_cm, exact.vibration.h_cm, 1e-4 * p.d);

@@ -20,7 +20,7 @@ Parameters tuple(std::int64_t N, double epsilon, double sigma, double v0 = 0.2, 
   p.v0 = v0;
   p.tc = tc;
   p.sigma = sigma;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
 class SoftReference : public testing::TestWithParam<reference::Soft> {};
@@ -28,7 +28,7 @@ class SoftReference : public testing::TestWithParam<reference::Soft> {};
 TEST_P(SoftReference, IsReproduced) {
   const reference::Soft& expected = GetParam();
   const Parameters p = tuple(expected.N, expected.epsilon, expected.sigma);
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   if (!expected.well_conditioned) {
     // The last digits of sigma decide. Whoever claims a result must be within the error bar of it.
     EXPECT_LE(std::abs(c.eps_eff - expected.eps_eff), c.eps_eff_error + 10 * expected.uncertainty);
@@ -58,7 +58,7 @@ TEST(ExactColumn, OneBeadComesBackWithTheWallsRestitution) {
   for (double eps : {1.0, 0.9, 0.6, 0.1, 1e-3, 1e-6}) {
     const double L = -std::log(eps), pi = std::acos(-1.0);
     for (double sigma : {0.0, 1.0, 1e9}) {
-      const Collision c = simulate(tuple(1, eps, sigma));
+      const SimulationResult c = simulate(tuple(1, eps, sigma));
       EXPECT_NEAR(c.eps_eff, std::exp(-pi * L / std::sqrt(2 * pi * pi + L * L)), 1e-15) << eps << " " << sigma;
       EXPECT_NEAR(c.t_k, 1e-5 * pi * std::sqrt(2.0) / std::sqrt(pi * pi + L * L - L * L / 2.0), 1e-19);
       EXPECT_EQ(c.contacts, 1u);
@@ -69,7 +69,7 @@ TEST(ExactColumn, OneBeadComesBackWithTheWallsRestitution) {
 TEST(ExactColumn, TheMatchedWallGivesThePairsRestitutionAndContactTime) {
   Parameters p = tuple(1, 0.8, 0.5);
   p.wall = Wall::matched;
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   EXPECT_NEAR(c.eps_eff, 0.8, 1e-15);
   EXPECT_NEAR(c.t_k, p.tc, 1e-19);
 }
@@ -78,14 +78,14 @@ TEST(ExactColumn, TheMatchedWallGivesThePairsRestitutionAndContactTime) {
 TEST(ExactColumn, SpringsAloneConserveEnergy) {
   for (std::int64_t N : {1, 2, 3, 10, 30, 100})
     for (double sigma : {0.0, 1e-3, 0.3, 3.0, 1e3}) {
-      const Collision c = simulate(tuple(N, 1.0, sigma));
+      const SimulationResult c = simulate(tuple(N, 1.0, sigma));
       EXPECT_NEAR(c.eps_eff, 1.0, 1e-13) << N << " " << sigma;  // thousands of contacts of a few roundings each
     }
 }
 
 TEST(ExactColumn, WideGapsAreHardSpheres) {
   Parameters p = tuple(10, 0.9, 1e4);
-  const Collision soft = simulate(p);
+  const SimulationResult soft = simulate(p);
   p.method = Method::ed;
   EXPECT_NEAR(soft.eps_eff, simulate(p).eps_eff, 1e-12);
   EXPECT_EQ(soft.contacts, 100u);
@@ -94,7 +94,7 @@ TEST(ExactColumn, WideGapsAreHardSpheres) {
 // v0, tc and s0 enter only through sigma: to the bit in reduced units, and to rounding in raw SI units.
 TEST(ExactColumn, RowsOfEqualSigmaAreEqual) {
   for (double sigma : {0.0, 1e-4, 0.1, 0.7, 1.0, 5.0, 300.0}) {
-    const Collision one = simulate(tuple(10, 0.9, sigma, 1.0, 1.0));
+    const SimulationResult one = simulate(tuple(10, 0.9, sigma, 1.0, 1.0));
     for (double v0 : {14.0, 0.008, 1e-15, 1e3})
       for (double tc : {2.5e-6, 2.2e-3, 1e-12}) {
         const Parameters p = tuple(10, 0.9, sigma, v0, tc);

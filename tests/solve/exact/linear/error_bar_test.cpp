@@ -22,7 +22,7 @@ Real eps_eff_in(const Parameters& p) {
   return energies<Real>(exact_collision(column, options).velocity, Real(1), column.mass).eps_eff;
 }
 
-double true_error(const Parameters& p, const Collision& c) {
+double true_error(const Parameters& p, const SimulationResult& c) {
   using std::abs;
   const long double wide = eps_eff_in<long double>(p);
   const double error = static_cast<double>(abs(wide - static_cast<long double>(c.eps_eff)));
@@ -39,8 +39,8 @@ TEST(ErrorBar, HoldsForARandomThousand) {
     p.N = std::int64_t(std::exp(uniform() * std::log(26.0)));
     p.epsilon = 0.1 + 0.9 * uniform();
     p.sigma = uniform() < 0.1 ? 0.0 : std::pow(10.0, -6.0 + 10.0 * uniform());
-    p = complete(p, Gap::sigma);
-    const Collision c = simulate(p);
+    p = complete(p, GapParameter::sigma);
+    const SimulationResult c = simulate(p);
     ASSERT_TRUE(c.status == Status::ok || c.status == Status::tolerance_missed);
     ASSERT_EQ(c.status == Status::ok, c.eps_eff_error <= p.tolerance);
     if (c.status != Status::ok) continue;  // says of itself that it is no result to 1e-10
@@ -64,12 +64,12 @@ TEST(ErrorBar, HoldsAtEveryTolerance) {
       p.sigma = uniform() < 0.1 ? 0.0 : std::pow(10.0, -6.0 + 8.0 * uniform());
       if (uniform() < 0.25) p.width = p.d * uniform();
       p.tolerance = tolerance;
-      p = complete(p, Gap::sigma);
-      const Collision c = simulate(p);
+      p = complete(p, GapParameter::sigma);
+      const SimulationResult c = simulate(p);
       if (c.status != Status::ok) continue;
       Parameters finer = p;
       finer.tolerance = 1e-12;
-      const Collision better = simulate(finer);
+      const SimulationResult better = simulate(finer);
       if (better.status != Status::ok) continue;
       const double error = tolerance < 1e-12
                                ? true_error(p, c)
@@ -92,8 +92,8 @@ TEST(ErrorBar, HoldsForWideGaps) {
     p.epsilon = uniform() < 0.5 ? 1e-3 : std::pow(10.0, -3.0 * uniform());
     p.sigma = std::pow(10.0, 4.0 + 8.0 * uniform());
     p.wall = uniform() < 0.5 ? Wall::matched : Wall::paper;
-    p = complete(p, Gap::sigma);
-    const Collision c = simulate(p);
+    p = complete(p, GapParameter::sigma);
+    const SimulationResult c = simulate(p);
     if (c.status != Status::ok) continue;
     bars.see(true_error(p, c), c.eps_eff_error);
   }
@@ -106,8 +106,8 @@ TEST(ErrorBar, SaysSoWhereTheLastDigitsDecide) {
   p.N = 33;
   p.epsilon = 0.6;
   p.sigma = 1e4;
-  p = complete(p, Gap::sigma);
-  const Collision c = simulate(p);
+  p = complete(p, GapParameter::sigma);
+  const SimulationResult c = simulate(p);
   EXPECT_EQ(c.status, Status::tolerance_missed);
   EXPECT_GT(c.eps_eff_error, 1e-4);
 }

@@ -26,7 +26,7 @@ struct Family {
     p.law = law;
     p.width = width * p.d;
     p.sigma = sigma;
-    return complete(p, Gap::sigma);
+    return complete(p, GapParameter::sigma);
   }
 };
 
@@ -54,7 +54,7 @@ int expect_continuity(const Family& family, int places) {
     const double low = step * i, high = step * (i + 1);
     if (simulate(family.at(low)).contacts == simulate(family.at(high)).contacts) continue;
     const Grazing grazing = grazing_between(family, low, high);
-    const Collision a = simulate(family.at(grazing.low)), b = simulate(family.at(grazing.high));
+    const SimulationResult a = simulate(family.at(grazing.low)), b = simulate(family.at(grazing.high));
     if (a.status != Status::ok || b.status != Status::ok) continue;
     ++found;
     SCOPED_TRACE(testing::Message() << "N " << family.N << " eps " << family.epsilon << " law " << int(family.law)
@@ -93,9 +93,9 @@ TEST(Grazing, TouchingIsTheLimitOfSmallGaps) {
     for (const std::int64_t N : {2, 3, 10})
       for (const double epsilon : {1.0, 0.9, 0.5}) {
         const Family family{N, epsilon, law};
-        const Collision touching = simulate(family.at(0.0));
+        const SimulationResult touching = simulate(family.at(0.0));
         for (const double sigma : {1e-300, 1e-30, 1e-18, 1e-16, 1e-12, 1e-8}) {
-          const Collision c = simulate(family.at(sigma));
+          const SimulationResult c = simulate(family.at(sigma));
           ASSERT_EQ(c.status, Status::ok);
           EXPECT_NEAR(c.eps_eff, touching.eps_eff, c.eps_eff_error + touching.eps_eff_error + 10.0 * sigma)
               << "N " << N << " eps " << epsilon << " law " << int(law) << " sigma " << sigma;

@@ -28,7 +28,7 @@ double seconds(const Parameters& p) {
 
 TEST(LargeColumn, AThousandTouchingBeadsAreATupleLikeAnyOther) {
   const Parameters p = tuple(1000, 0.8);
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   ASSERT_EQ(c.status, Status::ok);
   EXPECT_LE(c.eps_eff_error, 1e-12);
   EXPECT_GE(c.contacts, 1000u);

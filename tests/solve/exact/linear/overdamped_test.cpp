@@ -20,7 +20,7 @@ constexpr double K_over_m = 2e9;  // 1/s^2
 Parameters tuple(std::int64_t N, double damping, double s0) {
   Parameters p{.v0 = 0.3, .s0 = s0 * 0.3 / std::sqrt(K_over_m), .K_over_m = K_over_m, .N = N};
   p.D_n = damping * std::sqrt(K_over_m);
-  return complete(p, Gap::s0);
+  return complete(p, GapParameter::s0);
 }
 
 template <class Real>
@@ -58,7 +58,7 @@ TEST(Overdamped, OneBeadComesBackFromTheWall) {
   for (const double damping : {1.0, 1.2, 1.4}) {
     const Parameters p = tuple(1, damping, 0.5);
     const double mu = p.D_n / 2, omega = std::sqrt(K_over_m / 2 - mu * mu);
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     EXPECT_EQ(c.status, Status::ok);
     EXPECT_EQ(c.end, End::separated);
     EXPECT_NEAR(c.eps_eff, std::exp(-mu * std::numbers::pi / omega), 1e-12) << damping;
@@ -72,7 +72,7 @@ TEST(Overdamped, OneBeadComesBackFromTheWall) {
 TEST(Overdamped, OneBeadStaysAtTheWall) {
   for (const double damping : {1.5, 3.0, 10.0}) {
     const Parameters p = tuple(1, damping, 0.5);
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     EXPECT_EQ(c.status, Status::ok) << damping;
     EXPECT_LE(c.eps_eff, c.eps_eff_error) << damping;  // 0
     EXPECT_LE(c.eps_eff_error, p.tolerance) << damping;
@@ -104,7 +104,7 @@ TEST(Overdamped, TheErrorBarHolds) {
     for (const double damping : {0.9, 0.993, 0.997, 1.0 - 1e-9, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.3, 4.0})
       for (const double s0 : {0.0, 0.3, 0.4, 0.5, 10.0}) {
         const Parameters p = tuple(N, damping, s0);
-        const Collision c = simulate(p);
+        const SimulationResult c = simulate(p);
         SCOPED_TRACE(testing::Message() << "N " << N << " damping " << damping << " s0 " << s0);
         ASSERT_EQ(c.status, Status::ok);
         const long double wide = eps_eff_in<long double>(p);
@@ -127,7 +127,7 @@ TEST(Overdamped, FixedStepsGetThereToo) {
     const double exact = simulate(p).eps_eff;
     p.integrator = integrator;
     p.steps_per_tc = 4000;
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     EXPECT_EQ(c.status, Status::ok);
     EXPECT_NEAR(c.eps_eff, exact, 3e-3);  // first order, as everywhere
     EXPECT_NEAR(c.eps_eff, exact, c.eps_eff_error);
@@ -138,10 +138,10 @@ TEST(Overdamped, FixedStepsGetThereToo) {
 TEST(Overdamped, OtherLawsStickAsWell) {
   Parameters p{.v0 = 0.05, .K_over_m = 2e12, .D_n = 4e4, .N = 3};
   p.law = Law::hertz;
-  p = complete(p, Gap::s0);
+  p = complete(p, GapParameter::s0);
   ASSERT_EQ(p.epsilon, 0.0);
   ASSERT_EQ(why_invalid(p), "");
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   EXPECT_EQ(c.status, Status::ok);
   p.integrator = Integrator::rk4;
   p.steps_per_tc = 4000;

@@ -34,7 +34,7 @@ TEST_P(RandomSeparation, HasTheReferencesMeanAndScatter) {
     p.sigma = reference.sigma;
     p.random_separation = Flag::yes;
     p.seed = seed;
-    const Collision c = simulate(complete(p, Gap::sigma));
+    const SimulationResult c = simulate(complete(p, GapParameter::sigma));
     ASSERT_EQ(c.status, Status::ok) << seed;
     values.push_back(c.eps_eff);
     mean += c.eps_eff / seeds;

@@ -90,7 +90,7 @@ TEST(Stiff, MassesMayDifferByAMillion) {
     const auto column = reduced_column<double>(p);
     const auto [light, heavy] = std::minmax_element(column.mass.begin(), column.mass.end());
     largest = std::max(largest, *heavy / *light);
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     ASSERT_TRUE(c.status == Status::ok || c.status == Status::tolerance_missed) << seed;
     if (c.status != Status::ok) continue;
     const auto wide = reduced_column<long double>(p);

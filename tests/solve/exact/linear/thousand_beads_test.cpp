@@ -19,10 +19,10 @@ Parameters tuple(double epsilon, double sigma, Method method = Method::md) {
   p.epsilon = epsilon;
   p.sigma = sigma;
   p.method = method;
-  return complete(p, Gap::sigma);
+  return complete(p, GapParameter::sigma);
 }
 
-void expect_result(const Collision& c) {
+void expect_result(const SimulationResult& c) {
   ASSERT_TRUE(is_success(c.status) || c.status == Status::tolerance_missed) << int(c.status);
   EXPECT_NE(c.end, End::none);
   EXPECT_GE(c.eps_eff, 0.0);
@@ -31,7 +31,7 @@ void expect_result(const Collision& c) {
 }
 
 TEST(ThousandBeads, WithoutDashpotsNothingIsLost) {
-  const Collision touching = simulate(tuple(1.0, 0.0));
+  const SimulationResult touching = simulate(tuple(1.0, 0.0));
   ASSERT_EQ(touching.status, Status::ok);
   EXPECT_NEAR(touching.eps_eff, 1.0, std::min(1e-10, touching.eps_eff_error));
 }
@@ -40,7 +40,7 @@ TEST(ThousandBeads, GiveAResultAtEveryRestitution) {
   for (const double epsilon : {1.0 - 1e-12, 0.5, 1e-6})
     for (const double sigma : {0.0, 1e-16}) {
       SCOPED_TRACE(testing::Message() << "eps " << epsilon << " sigma " << sigma);
-      const Collision c = simulate(tuple(epsilon, sigma));
+      const SimulationResult c = simulate(tuple(epsilon, sigma));
       expect_result(c);
       EXPECT_EQ(c.status, Status::ok);
     }
@@ -50,7 +50,7 @@ TEST(ThousandBeads, GiveAResultAtEveryRestitution) {
 TEST(ThousandBeads, KeepTheirBooks) {
   for (const double epsilon : {1.0, 0.5, 1e-3}) {
     const auto column = reduced_column<double>(tuple(epsilon, 1e-3));
-    const auto books = books::of(column, 20.0, 400, watch_exact);
+    const auto books = books::of(column, 20.0, 400, observe_exact);
     SCOPED_TRACE(epsilon);
     EXPECT_LE(books.energy_imbalance(), 1e-12 * 1000.0);
     EXPECT_LE(books.momentum_imbalance(), 1e-12 * 1000.0);
@@ -59,11 +59,11 @@ TEST(ThousandBeads, KeepTheirBooks) {
 }
 
 TEST(ThousandBeads, OnlySigmaCounts) {
-  const Collision expected = simulate(tuple(0.9, 1e-9));
+  const SimulationResult expected = simulate(tuple(0.9, 1e-9));
   Parameters p = tuple(0.9, 1e-9);
   p.v0 *= 0x1p-30;
   p.tc *= 0x1p20;
-  const Collision c = simulate(complete(p, Gap::sigma));
+  const SimulationResult c = simulate(complete(p, GapParameter::sigma));
   EXPECT_EQ(c.eps_eff, expected.eps_eff);
   EXPECT_EQ(c.contacts, expected.contacts);
   EXPECT_EQ(c.t_k, expected.t_k * 0x1p20);
@@ -72,7 +72,7 @@ TEST(ThousandBeads, OnlySigmaCounts) {
 TEST(ThousandBeads, HardOnesGiveAResult) {
   for (const double epsilon : {1.0, 1.0 - 1e-12, 0.999, 0.5, 1e-6}) {
     SCOPED_TRACE(epsilon);
-    const Collision c = simulate(tuple(epsilon, 1.0, Method::ed));
+    const SimulationResult c = simulate(tuple(epsilon, 1.0, Method::ed));
     expect_result(c);
     if (epsilon == 1.0) {
       EXPECT_EQ(c.contacts, 500'500u);  // N (N + 1)/2

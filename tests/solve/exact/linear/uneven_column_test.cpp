@@ -130,7 +130,7 @@ TEST(UnevenColumn, TheErrorBarHolds) {
     p.width = p.d * (i % 10 == 0 ? 1.9 : random(0.0, 0.5));
     p.random_separation = i % 2 == 0 ? Flag::yes : Flag::no;
     ASSERT_EQ(why_invalid(p), "");
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     ASSERT_TRUE(c.status == Status::ok || c.status == Status::tolerance_missed) << i << " " << int(c.status);
     if (c.status != Status::ok) continue;  // says of itself that it is no result to 1e-10
     ExactOptions options;

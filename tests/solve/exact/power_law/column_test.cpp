@@ -24,7 +24,7 @@ Parameters fig3(Law law, double K_over_m, double D_n, std::int64_t N) {
   p.K_over_m = K_over_m;
   p.D_n = D_n;
   p.N = N;
-  return complete(p, Gap::s0);
+  return complete(p, GapParameter::s0);
 }
 
 Parameters touching_pair(Law law, double beta, double gamma, double epsilon) {
@@ -36,7 +36,7 @@ Parameters touching_pair(Law law, double beta, double gamma, double epsilon) {
   p.wall = Wall::matched;  // the bead moves against the wall as two beads against each other
   p.N = 1;
   p.v0 = p.tc = 1.0;
-  return complete(p, Gap::s0);
+  return complete(p, GapParameter::s0);
 }
 
 struct Reference {
@@ -45,7 +45,7 @@ struct Reference {
 };
 
 void expect(const Reference& r, const Parameters& p) {
-  const Collision c = simulate(p);
+  const SimulationResult c = simulate(p);
   SCOPED_TRACE(testing::Message() << "N = " << r.N << ", K_over_m = " << p.K_over_m << ", D_n = " << p.D_n);
   EXPECT_EQ(c.status, Status::ok);
   // The reference's own uncertainty is the larger part.
@@ -105,7 +105,7 @@ TEST(Nonlinear, Fig3) {
   const std::vector<std::int64_t> beads{1, 2, 5, 10, 20, 50, 100, 200};
   for (const Curve& curve : curves)
     for (std::size_t i = 0; i < beads.size(); ++i) {
-      const Collision c = simulate(fig3(curve.law, curve.K_over_m, curve.D_n, beads[i]));
+      const SimulationResult c = simulate(fig3(curve.law, curve.K_over_m, curve.D_n, beads[i]));
       EXPECT_EQ(c.status, Status::ok);
       EXPECT_NEAR(c.eps_eff, curve.eps_eff[i], 0.51e-4) << "N = " << beads[i];
     }
@@ -129,7 +129,7 @@ TEST(Nonlinear, ASingleBeadIsAPairCollision) {
       const Exponents e = exponents(p);
       const double k = theory::stiffness(e, 1.0, 1.0);
       const PairCollision pair = collide({e, k, damping(e, k, 1.0, epsilon)}, 1.0);
-      const Collision c = simulate(p);
+      const SimulationResult c = simulate(p);
       SCOPED_TRACE(testing::Message() << "beta " << e.beta << " gamma " << e.gamma << " epsilon " << epsilon);
       EXPECT_EQ(c.status, Status::ok);
       EXPECT_NEAR(c.eps_eff, epsilon, c.eps_eff_error + 1e-13);  // what damping() leaves
@@ -146,7 +146,7 @@ TEST(Nonlinear, LossesNothingWithoutDamping) {
       p.epsilon = 1.0;
       p.sigma = sigma;
       p.N = 12;
-      const Collision c = simulate(complete(p, Gap::sigma));
+      const SimulationResult c = simulate(complete(p, GapParameter::sigma));
       EXPECT_EQ(c.status, Status::ok);
       EXPECT_NEAR(c.eps_eff, 1.0, c.eps_eff_error);
     }
@@ -159,7 +159,7 @@ TEST(Nonlinear, TheLinearLawIsSolvedAsWell) {
     p.sigma = sigma;
     p.N = 7;
     p.epsilon = 0.8;
-    const auto column = reduced_column<double>(complete(p, Gap::sigma));
+    const auto column = reduced_column<double>(complete(p, GapParameter::sigma));
     const auto energy = [&](const Outcome<double>& o) { return energies<double>(o.velocity, 1.0).eps_eff; };
     NonlinearOptions options;
     options.accuracy = 1e-14;
@@ -174,10 +174,10 @@ TEST(Nonlinear, ScalesWithSigma) {
   p.sigma = 0.37;
   p.N = 9;
   p.v0 = p.tc = 1.0;
-  const Collision a = simulate(complete(p, Gap::sigma));
+  const SimulationResult a = simulate(complete(p, GapParameter::sigma));
   p.v0 = 3e-9;
   p.tc = 7e4;
-  const Collision b = simulate(complete(p, Gap::sigma));
+  const SimulationResult b = simulate(complete(p, GapParameter::sigma));
   EXPECT_EQ(a.eps_eff, b.eps_eff);
   EXPECT_NEAR(b.t_k, a.t_k * p.tc, 1e-15 * b.t_k);
 }
@@ -193,8 +193,8 @@ TEST(Nonlinear, ErrorBarHoldsForRandomTuples) {
     p.N = 1 + static_cast<std::int64_t>(14.0 * std::pow(uniform(), 2));
     p.epsilon = 0.4 + 0.6 * uniform();
     p.sigma = i % 5 == 0 ? 0.0 : std::pow(10.0, -3.0 + 4.0 * uniform());
-    p = complete(p, Gap::sigma);
-    const Collision c = simulate(p);
+    p = complete(p, GapParameter::sigma);
+    const SimulationResult c = simulate(p);
     if (c.status == Status::tolerance_missed) continue;  // chaotic, and says so
     ASSERT_EQ(c.status, Status::ok);
     NonlinearOptions options;
@@ -214,7 +214,7 @@ TEST(Nonlinear, MeetsTheTolerance) {
   for (const double tolerance : {1e-4, 1e-7, 1e-10, 1e-12}) {
     Parameters p = fig3(Law::hertz_kuwabara_kono, 2e12, 1e5, 20);
     p.tolerance = tolerance;
-    const Collision c = simulate(p);
+    const SimulationResult c = simulate(p);
     EXPECT_EQ(c.status, Status::ok);
     EXPECT_LE(c.eps_eff_error, tolerance);
     EXPECT_NEAR(c.eps_eff, 0.9862550888036, tolerance);  // accuracies 1e-13 and 1e-14 agree to these digits
