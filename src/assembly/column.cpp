@@ -7,7 +7,9 @@
 #include "base/quad.hpp"
 #include "base/random.hpp"
 #include "sigmasweep/contact/calibration.hpp"
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/contact/pair_collision.hpp"
+#include "sigmasweep/contact/theory.hpp"
+#include "sigmasweep/model/law.hpp"
 
 namespace sigmasweep {
 namespace {

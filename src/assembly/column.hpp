@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/model/result.hpp"
 

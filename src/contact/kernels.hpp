@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/model/law.hpp"
 
 /// The laws of a closed contact, F = K x^(1+beta) + C x^gamma u, x >= 0 its overlap and u = x' (Sec. IV B), each
 /// without branches, so that loops vectorise. `elastic`: twice the elastic energy, 2 K x^(2+beta)/(2+beta).

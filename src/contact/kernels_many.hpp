@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "contact/kernels.hpp"
+#include "sigmasweep/model/law.hpp"
 
 namespace sigmasweep {
 

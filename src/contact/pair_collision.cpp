@@ -6,7 +6,9 @@
 #include <boost/math/tools/roots.hpp>
 #include "numerics/dormand_prince.hpp"
 #include "sigmasweep/contact/calibration.hpp"
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/contact/pair_collision.hpp"
+#include "sigmasweep/contact/theory.hpp"
+#include "sigmasweep/model/law.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/names.hpp"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/progress.hpp"
-#include "sigmasweep/contact/law.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/names.hpp"
 
 namespace sigmasweep {

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "sigmasweep/contact/law.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "solve/fixed_step/stability.hpp"

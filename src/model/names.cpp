@@ -1,16 +1,30 @@
 #include "sigmasweep/model/names.hpp"
 
+#include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/law.hpp"
+
 namespace sigmasweep {
 namespace {
 
 using std::string_view;
 
+/// The names in a table of the model, which stands in the order of the enumerators.
+template <class Info, std::size_t n>
+constexpr std::array<string_view, n> names_in(const std::array<Info, n>& table) {
+  std::array<string_view, n> names{};
+  for (std::size_t i = 0; i < n; ++i) {
+    if (static_cast<std::size_t>(table[i].id) != i) throw "a table that is not in the order of its enumerators";
+    names[i] = table[i].name;
+  }
+  return names;
+}
+constexpr auto geometry_names = names_in(geometries);
+constexpr auto law_names = names_in(laws);
+
 constexpr std::array<string_view, 2> method_names{"md", "ed"};
-constexpr std::array<string_view, 4> geometry_names{"column", "vibrated-column", "lattice", "vibrated-lattice"};
 constexpr std::array<string_view, 2> side_walls_names{"periodic", "fixed"};
 constexpr std::array<string_view, 2> wall_names{"paper", "matched"};
 constexpr std::array<string_view, 4> integrator_names{"exact", "gear5", "verlet", "rk4"};
-constexpr std::array<string_view, 5> law_names{"hooke", "hertz", "hertz-kuwabara-kono", "taguchi", "power"};
 constexpr std::array<string_view, 3> material_names{"none", "steel", "aluminium"};
 constexpr std::array<string_view, 2> ed_rule_names{"lrv", "tc"};
 constexpr std::array<string_view, 2> flag_names{"false", "true"};

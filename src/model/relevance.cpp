@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "sigmasweep/contact/law.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/law.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -1,8 +1,9 @@
 #include "sigmasweep/solve/simulate.hpp"
 
 #include "assembly/lattice.hpp"
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"
 #include "solve/fixed_step/collision.hpp"

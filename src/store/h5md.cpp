@@ -14,6 +14,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "assembly/plate_motion.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/geometry.hpp"

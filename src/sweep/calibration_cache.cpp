@@ -6,7 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/model/law.hpp"
 
 namespace sigmasweep {
 namespace {

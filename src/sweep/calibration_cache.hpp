@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sweep/grid.hpp"
 
 namespace sigmasweep {

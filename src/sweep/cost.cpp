@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "sigmasweep/contact/law.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/law.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <utility>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sweep/calibration_cache.hpp"
 

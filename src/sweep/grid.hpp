@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sweep/axis.hpp"

@@ -6,6 +6,7 @@
 
 #include "assembly/column.hpp"
 #include "assembly/ground.hpp"
+#include "assembly/plate_motion.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "solve/exact/linear/column.hpp"
 #include "solve/exact/power_law/column.hpp"

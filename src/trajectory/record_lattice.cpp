@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "assembly/lattice.hpp"
+#include "assembly/plate_motion.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "solve/fixed_step/collision.hpp"
 #include "solve/observer/lattice_samples.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/quad.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/contact/calibration.hpp"
 
 namespace sigmasweep {

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "assembly/lattice.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 

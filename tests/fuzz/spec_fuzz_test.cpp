@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 

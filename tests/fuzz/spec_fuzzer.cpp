@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/sweep/sweep.hpp"

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "base/quad.hpp"
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/any_parameters.hpp"
 #include "solve/exact/linear/collision.hpp"

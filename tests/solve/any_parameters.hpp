@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/parameters.hpp"
 

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <string>
 
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/any_parameters.hpp"

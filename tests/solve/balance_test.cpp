@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/books.hpp"
 

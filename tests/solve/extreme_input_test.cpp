@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 
 namespace {

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
 #include "solve/exact/linear/collision.hpp"

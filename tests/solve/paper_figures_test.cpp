@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "support/reference_values.hpp"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <csignal>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "support/store_samples.hpp"
 

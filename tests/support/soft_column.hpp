@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "assembly/column.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/parameters.hpp"
 
 /// Columns of soft spheres as tests want them.

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "assembly/plate_motion.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 

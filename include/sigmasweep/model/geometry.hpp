@@ -1,24 +1,40 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "sigmasweep/model/parameters.hpp"
 
+/// The table of geometries: how the beads are put together and what they meet.
 namespace sigmasweep {
 
-constexpr bool is_vibrated(const Parameters& p) {
-  return p.geometry == Geometry::vibrated_column || p.geometry == Geometry::vibrated_lattice;
-}
-/// Whether it has two dimensions.
-constexpr bool is_lattice(const Parameters& p) {
-  return p.geometry == Geometry::lattice || p.geometry == Geometry::vibrated_lattice;
-}
+/// What the beads form: a column, of one dimension; or a triangular lattice, of two.
+enum class Assembly : std::uint8_t { column, lattice };
 
-/// A step of complete(), for what vibrates: alpha = A0 (2 pi f)^2/g and A0, the missing one from the other. Where
-/// both are there and differ A0 counts. What is complete already stays as it is, to the bit.
-void derive_plate_motion(Parameters& parameters);
+/// What the lowest beads meet: a fixed wall, without gravity; or a plate that vibrates, under gravity.
+enum class GroundKind : std::uint8_t { wall, plate };
 
-/// A0 sin(2 pi f t), Eq. (1), m; t in s. Of complete parameters.
-double plate_height(const Parameters& parameters, double t);
-/// The plate's speed then, m/s.
-double plate_speed(const Parameters& parameters, double t);
+struct GeometryInfo {
+  Geometry id;
+  std::string_view name;  ///< as users write it
+  Assembly assembly;
+  GroundKind ground;
+};
+
+/// All geometries, in the order of Geometry.
+inline constexpr std::array geometries{
+    GeometryInfo{Geometry::column, "column", Assembly::column, GroundKind::wall},
+    GeometryInfo{Geometry::vibrated_column, "vibrated-column", Assembly::column, GroundKind::plate},
+    GeometryInfo{Geometry::lattice, "lattice", Assembly::lattice, GroundKind::wall},
+    GeometryInfo{Geometry::vibrated_lattice, "vibrated-lattice", Assembly::lattice, GroundKind::plate},
+};
+
+constexpr const GeometryInfo& geometry_of(const Parameters& p) {
+  return geometries[static_cast<std::size_t>(p.geometry)];
+}
+/// Whether the beads meet a plate that vibrates.
+constexpr bool is_vibrated(const Parameters& p) { return geometry_of(p).ground == GroundKind::plate; }
+/// Whether the beads form a lattice, of two dimensions.
+constexpr bool is_lattice(const Parameters& p) { return geometry_of(p).assembly == Assembly::lattice; }
 
 }  // namespace sigmasweep

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "assembly/plate_motion.hpp"
 #include "plot/canvas.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/labels.hpp"

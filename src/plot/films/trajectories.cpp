@@ -9,6 +9,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "assembly/plate_motion.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/labels.hpp"
 #include "plot/thin.hpp"

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "assembly/plate_motion.hpp"
 #include "sigmasweep/model/geometry.hpp"
 
 namespace sigmasweep {

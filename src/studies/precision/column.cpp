@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/quad.hpp"
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"

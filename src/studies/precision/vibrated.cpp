@@ -1,8 +1,9 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/vibrated.hpp"
 #include "studies/precision/subject.hpp"

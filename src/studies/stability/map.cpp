@@ -10,7 +10,7 @@
 #include "plot/labels.hpp"
 #include "plot/row_choice.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "solve/fixed_step/stability.hpp"
 #include "studies/stability/map_text_and_plot.hpp"

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/spelling.hpp"
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::spec {

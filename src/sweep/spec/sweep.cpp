@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sweep/calibration_cache.hpp"
 #include "sweep/expression/where.hpp"

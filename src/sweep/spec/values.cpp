@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sweep/calibration_cache.hpp"
 

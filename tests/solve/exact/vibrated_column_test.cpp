@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
 #include "solve/vibrated.hpp"
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/hard_spheres/vibrated.hpp"
 #include "solve/hard_spheres/vibrated_column.hpp"

@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 
 namespace sigmasweep {

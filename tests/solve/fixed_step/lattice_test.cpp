@@ -8,6 +8,7 @@
 
 #include "assembly/lattice.hpp"
 #include "assembly/lattice_neighbours.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/fixed_step/collision.hpp"
 #include "solve/fixed_step/lattice.hpp"

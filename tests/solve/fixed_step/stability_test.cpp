@@ -8,6 +8,7 @@
 
 #include "assembly/lattice.hpp"
 #include "contact/kernels.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/fixed_step/chain.hpp"

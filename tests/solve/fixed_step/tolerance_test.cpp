@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/quad.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/hard_spheres/collision.hpp"
 

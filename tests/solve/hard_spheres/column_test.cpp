@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/hard_spheres/collision.hpp"

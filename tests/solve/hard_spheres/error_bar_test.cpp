@@ -5,6 +5,7 @@
 
 #include "assembly/column.hpp"
 #include "base/quad.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/hard_spheres/collision.hpp"
 #include "solve/hard_spheres/plain_hard_spheres.hpp"

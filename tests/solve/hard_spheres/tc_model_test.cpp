@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/hard_spheres/collision.hpp"

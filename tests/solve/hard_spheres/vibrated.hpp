@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assembly/column.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "solve/vibrated.hpp"
 
 /// What tests of hard spheres on a vibrating plate share. Natural units: 1/omega and g/omega^2.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/hard_spheres/vibrated.hpp"
 #include "solve/hard_spheres/vibrated_column.hpp"

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"

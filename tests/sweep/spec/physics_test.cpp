@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "support/spec_refusal.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"

@@ -6,6 +6,7 @@
 
 #include "numerics/first_root.hpp"
 #include "numerics/hermite.hpp"
+#include "sigmasweep/model/law.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/result.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 

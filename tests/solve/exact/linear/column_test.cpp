@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/quad.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "support/reference_values.hpp"

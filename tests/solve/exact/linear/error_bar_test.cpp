@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/quad.hpp"
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "support/error_bars.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"

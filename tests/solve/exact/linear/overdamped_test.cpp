@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "base/quad.hpp"
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/piecewise_linear.hpp"

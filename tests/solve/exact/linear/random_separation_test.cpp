@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/piecewise_linear.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/books.hpp"
 #include "solve/exact/linear/collision.hpp"

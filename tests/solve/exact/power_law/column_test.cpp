@@ -5,7 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/contact/pair_collision.hpp"
+#include "sigmasweep/contact/theory.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"

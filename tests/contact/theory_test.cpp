@@ -1,4 +1,8 @@
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/contact/theory.hpp"
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
+#include "sigmasweep/contact/pair_collision.hpp"
+#include "sigmasweep/model/law.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
-#include "sigmasweep/contact/law.hpp"
+#include "sigmasweep/contact/theory.hpp"
 
-#include <array>
 #include <cmath>
 
 #include <boost/math/constants/constants.hpp>
@@ -8,18 +7,6 @@
 #include <boost/math/special_functions/gamma.hpp>
 
 namespace sigmasweep {
-
-Exponents exponents(const Parameters& parameters) {
-  switch (parameters.law) {
-    case Law::hooke: return {0.0, 0.0};
-    case Law::hertz: return {0.5, 0.0};
-    case Law::hertz_kuwabara_kono: return {0.5, 0.5};
-    case Law::taguchi: return {0.5, 0.25};
-    case Law::power: break;
-  }
-  return {parameters.beta, parameters.gamma};
-}
-
 namespace theory {
 
 double I(double beta) {
@@ -53,14 +40,4 @@ Powers powers(Exponents exponents) {
 }
 
 }  // namespace theory
-
-const Bead& bead(Material material) {
-  // Sec. III B; epsilon as the paper uses it for these materials.
-  static constexpr std::array<Bead, 3> beads{
-      {{}, {1.5e-3, 1.38e-5, 2.06e11, 0.28, 0.9}, {1.5e-3, 0.479e-5, 0.71e11, 0.34, 0.6}}};
-  return beads[static_cast<std::size_t>(material)];
-}
-
-double elastic_constant(const Bead& bead) { return bead.young / (3.0 * (1.0 - bead.poisson * bead.poisson)); }
-
 }  // namespace sigmasweep

@@ -7,6 +7,9 @@
 #include <set>
 #include <string>
 
+#include "assembly/plate_motion.hpp"
+#include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/names.hpp"
 
