@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "engine/duration.hpp"
+#include "engine/stop/duration.hpp"
 #include "sigmasweep/model/fields.hpp"
 
 namespace sigmasweep {

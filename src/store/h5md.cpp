@@ -18,7 +18,7 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/geometry.hpp"
-#include "sigmasweep/solve/simulate.hpp"
+#include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/build_info.hpp"
 #include "store/files.hpp"

@@ -5,7 +5,7 @@
 #include <xxhash.h>
 
 #include "sigmasweep/model/fields.hpp"
-#include "sigmasweep/solve/simulate.hpp"
+#include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
 namespace sigmasweep {

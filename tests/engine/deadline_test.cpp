@@ -1,8 +1,8 @@
-#include "engine/deadline.hpp"
+#include "engine/stop/deadline.hpp"
 
 #include <gtest/gtest.h>
 
-#include "engine/duration.hpp"
+#include "engine/stop/duration.hpp"
 
 namespace sigmasweep {
 namespace {

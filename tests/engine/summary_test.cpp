@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "engine/progress.hpp"
-#include "engine/summary.hpp"
+#include "engine/report/progress.hpp"
+#include "engine/report/summary.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -6,9 +6,6 @@
 
 namespace sigmasweep {
 
-/// Number of the physics: changes whenever a change of the code may change a result.
-inline constexpr std::uint32_t physics_version = 5;
-
 /// The collision that `parameters` describe: a pure function, the same bits for the same parameters on one build.
 /// Never throws, never hangs: what cannot be computed is a status, and parameters that why_invalid() refuses are
 /// failed. Where `budget` came to its end it is Status::time_limit, whatever had been found by then.

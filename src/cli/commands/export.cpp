@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
-#include "engine/stored_sweep.hpp"
+#include "engine/ledger/stored_sweep.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {

@@ -8,9 +8,9 @@
 
 #include "base/exit_codes.hpp"
 #include "cli/commands.hpp"
-#include "engine/ledger.hpp"
-#include "engine/stored_sweep.hpp"
-#include "engine/summary.hpp"
+#include "engine/ledger/ledger.hpp"
+#include "engine/ledger/stored_sweep.hpp"
+#include "engine/report/summary.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/table/table.hpp"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "cli/commands.hpp"
-#include "engine/unstable_rows.hpp"
+#include "engine/report/unstable_rows.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "sweep/schedule.hpp"

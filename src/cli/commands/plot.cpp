@@ -4,7 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/commands/plot_films.hpp"
-#include "engine/stored_sweep.hpp"
+#include "engine/ledger/stored_sweep.hpp"
 #include "plot/named.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/plot/plot.hpp"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/trajectory_files.hpp"
+#include "engine/trajectories/trajectory_files.hpp"
 #include "plot/films/lattice.hpp"
 #include "plot/films/plot_velocity_field.hpp"
 #include "plot/films/trajectories.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/stored_sweep.hpp"
+#include "engine/ledger/stored_sweep.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
 namespace sigmasweep {

@@ -3,7 +3,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/json_row.hpp"
-#include "engine/stored_sweep.hpp"
+#include "engine/ledger/stored_sweep.hpp"
 #include "sweep/expression/where.hpp"
 
 namespace sigmasweep {

@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "sigmasweep/solve/simulate.hpp"
+#include "sigmasweep/model/physics_version.hpp"
 #include "store/build_info.hpp"
 #include "store/hdf5/attributes.hpp"
 #include "store/table/checksum.hpp"

@@ -12,9 +12,9 @@
 
 #include "base/exit_codes.hpp"
 #include "cli/commands.hpp"
-#include "engine/progress.hpp"
-#include "engine/provenance.hpp"
-#include "engine/stop.hpp"
+#include "engine/report/progress.hpp"
+#include "engine/report/provenance.hpp"
+#include "engine/stop/stop.hpp"
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/sweep.hpp"

@@ -5,7 +5,7 @@
 
 #include "base/exit_codes.hpp"
 #include "cli/commands.hpp"
-#include "engine/stored_sweep.hpp"
+#include "engine/ledger/stored_sweep.hpp"
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/sweep.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/stop.hpp"
+#include "engine/stop/stop.hpp"
 #include "mpi/world.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/trajectory_files.hpp"
+#include "engine/trajectories/trajectory_files.hpp"
 
 #include <fmt/format.h>
 

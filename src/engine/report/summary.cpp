@@ -1,4 +1,4 @@
-#include "engine/summary.hpp"
+#include "engine/report/summary.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/progress.hpp"
+#include "engine/report/progress.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/names.hpp"

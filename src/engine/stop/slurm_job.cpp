@@ -1,4 +1,4 @@
-#include "engine/slurm_job.hpp"
+#include "engine/stop/slurm_job.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/duration.hpp"
+#include "engine/stop/duration.hpp"
 
 extern char** environ;
 

@@ -1,4 +1,4 @@
-#include "engine/progress.hpp"
+#include "engine/report/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

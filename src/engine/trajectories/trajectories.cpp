@@ -1,4 +1,4 @@
-#include "engine/trajectories.hpp"
+#include "engine/trajectories/trajectories.hpp"
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <system_error>
 
-#include "engine/trajectory_files.hpp"
+#include "engine/trajectories/trajectory_files.hpp"
 #include "mpi/collective_sum.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"

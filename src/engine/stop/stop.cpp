@@ -1,4 +1,4 @@
-#include "engine/stop.hpp"
+#include "engine/stop/stop.hpp"
 
 #include <atomic>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "engine/stored_sweep.hpp"
+#include "engine/ledger/stored_sweep.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/names.hpp"
+#include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/model/relevance.hpp"
-#include "sigmasweep/solve/simulate.hpp"
 #include "store/build_info.hpp"
 
 namespace sigmasweep {

@@ -1,9 +1,9 @@
-#include "engine/reuse.hpp"
+#include "engine/ledger/reuse.hpp"
 
 #include <unordered_map>
 #include <utility>
 
-#include "engine/stored_sweep.hpp"
+#include "engine/ledger/stored_sweep.hpp"
 
 namespace sigmasweep {
 

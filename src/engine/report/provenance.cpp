@@ -1,4 +1,4 @@
-#include "engine/provenance.hpp"
+#include "engine/report/provenance.hpp"
 
 #include <fmt/chrono.h>
 #include <unistd.h>

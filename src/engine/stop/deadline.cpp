@@ -1,4 +1,4 @@
-#include "engine/deadline.hpp"
+#include "engine/stop/deadline.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/unstable_rows.hpp"
+#include "engine/report/unstable_rows.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "engine/duration.hpp"
+#include "engine/stop/duration.hpp"
 
 #include <charconv>
 #include <cmath>

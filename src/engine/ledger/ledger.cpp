@@ -1,4 +1,4 @@
-#include "engine/ledger.hpp"
+#include "engine/ledger/ledger.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/random.hpp"
-#include "engine/reuse.hpp"
-#include "engine/stored_sweep.hpp"
+#include "engine/ledger/reuse.hpp"
+#include "engine/ledger/stored_sweep.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/solve/simulate.hpp"
+#include "sigmasweep/model/physics_version.hpp"
 
 namespace sigmasweep {
 namespace {
