@@ -2,7 +2,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "solve/exact/linear/column.hpp"
+#include "solve/exact/linear/column_impl.hpp"
 
 /// What a vibrated plate adds to the exact solver of the linear law.
 namespace sigmasweep {
@@ -105,15 +105,7 @@ PlateWork ExactColumn<Real, Disturbances, Uneven, Order, Ground>::work_of(const 
   return work;
 }
 
-#define SIGMASWEEP_INSTANTIATE(Uneven)                                                     \
-  using Plate##Uneven = ExactColumn<double, 0, Uneven, TaylorOrder<double>::value, Plate>; \
-  template Status Plate##Uneven::why_stop();                                               \
-  template void Plate##Uneven::drive(Group&, double&);                                     \
-  template bool Plate##Uneven::begin_rest(Group&);                                         \
-  template void Plate##Uneven::move_resting(const double&);                                \
-  template PlateWork Plate##Uneven::work_of(const Group&, const double&) const;
-SIGMASWEEP_INSTANTIATE(false)
-SIGMASWEEP_INSTANTIATE(true)
-#undef SIGMASWEEP_INSTANTIATE
+template class ExactColumn<double, 0, false, TaylorOrder<double>::value, Plate>;
+template class ExactColumn<double, 0, true, TaylorOrder<double>::value, Plate>;
 
 }  // namespace sigmasweep

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
-#include <Eigen/Dense>
+#include "solve/exact/linear/general_modes.hpp"
+#include "solve/exact/linear/proportional_modes.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -41,49 +41,6 @@ Complex integral(const Complex& s, double t) {
 Complex second_integral(const Complex& s, double t) {
   const Complex st = s * t;
   return std::abs(st) < 0.5 ? 0.5 * t * t * series(st, 2) : (std::exp(st) - 1.0 - st) / (s * s);
-}
-
-/// Rates lambda, modes V (rows: n overlaps, n rates) and V^-1.
-struct Modes {
-  Eigen::VectorXcd lambda;
-  Eigen::MatrixXcd V, inverse;
-};
-
-/// Dashpots in proportion to the springs, C = c K: with the symmetric S = sqrt(K) T sqrt(K) = Q mu Q^T each of the n
-/// shapes x = K^(-1/2) q is an oscillator lambda^2 + c mu lambda + mu = 0 of its own.
-Modes proportional_modes(const Eigen::MatrixXd& T, const Eigen::VectorXd& K, double c) {
-  const Eigen::Index n = K.size();
-  const Eigen::VectorXd root = K.cwiseSqrt();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * T * root.asDiagonal());
-  const Eigen::MatrixXd shape = root.cwiseInverse().asDiagonal() * solver.eigenvectors();
-  const Eigen::MatrixXd analysis = solver.eigenvectors().transpose() * root.asDiagonal();
-  Modes modes{Eigen::VectorXcd(2 * n), Eigen::MatrixXcd(2 * n, 2 * n), Eigen::MatrixXcd(2 * n, 2 * n)};
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const double mu = solver.eigenvalues()[j], half = 0.5 * c * mu;
-    const Complex apart = std::sqrt(Complex(half * half - mu));
-    // The slower of two real rates without cancellation.
-    const Complex fast = -half - apart, slow = half * half > mu ? mu / fast : -half + apart;
-    for (const auto& [column, rate, other] : {std::tuple(j, fast, slow), std::tuple(n + j, slow, fast)}) {
-      modes.lambda[column] = rate;
-      modes.V.col(column) << shape.col(j).cast<Complex>(), rate * shape.col(j).cast<Complex>();
-      modes.inverse.row(column) << -other / (rate - other) * analysis.row(j).cast<Complex>(),
-          analysis.row(j).cast<Complex>() / (rate - other);
-    }
-  }
-  return modes;
-}
-
-/// Any dashpots: of the system of first order, x' = u, u' = -T (K x + C u).
-Modes general_modes(const Eigen::MatrixXd& TK, const Eigen::MatrixXd& TC) {
-  const Eigen::Index n = TK.rows();
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  A.topRightCorner(n, n).setIdentity();
-  A.bottomLeftCorner(n, n) = -TK;
-  A.bottomRightCorner(n, n) = -TC;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
-  Modes modes{solver.eigenvalues(), solver.eigenvectors(), {}};
-  modes.inverse = modes.V.inverse();
-  return modes;
 }
 
 }  // namespace

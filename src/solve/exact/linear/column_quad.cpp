@@ -1,0 +1,11 @@
+#include "base/quad.hpp"
+#include "solve/exact/linear/column_impl.hpp"
+
+namespace sigmasweep {
+
+template class ExactColumn<Quad, 0, false>;
+template class ExactColumn<Quad, 1, false>;
+template class ExactColumn<Quad, 0, true>;
+template class ExactColumn<Quad, 1, true>;
+
+}  // namespace sigmasweep

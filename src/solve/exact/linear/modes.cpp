@@ -1,0 +1,7 @@
+#include "solve/exact/linear/modes.hpp"
+
+namespace sigmasweep {
+
+Eigen::MatrixXcd inverse_of(const Eigen::MatrixXcd& V) { return V.inverse(); }
+
+}  // namespace sigmasweep
