@@ -1,18 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
+#include <variant>
+
+#include "cli/command.hpp"
 
 namespace sigmasweep {
 
-struct Invocation {
-  int& argc;
-  char**& argv;
-  std::function<int()> command;  ///< set when the line is parsed: what was asked for
-  bool on_all_ranks = false;     ///< likewise: whether it is for all ranks of mpirun, or for one
-};
-
-/// The commands with their options and help.
-void add_commands(CLI::App& app, Invocation& invocation);
+/// Reads the command line. Returns the action of the command that was asked for. Where help, the version or a mistake
+/// ends the program, prints it and returns the exit code.
+std::variant<Action, int> read_command_line(int argc, char** argv);
 
 }  // namespace sigmasweep

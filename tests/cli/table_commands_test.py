@@ -118,6 +118,30 @@ class TableCommands(unittest.TestCase):
         self.assertIn("run_time", self.ok("export", "table.h5", "--timings").splitlines()[0])
         self.assertEqual(self.sigmasweep("export", "table.h5", "-o", "missing/table.csv").returncode, 73)
 
+    def equals_the_table(self, objects):
+        self.assertEqual(len(objects), len(self.table))
+        for row, stored in zip(objects, self.table):
+            self.assertEqual(list(row), list(self.table.dtype.names))
+            for name in ("s0", "sigma", "eps_eff", "t_k", "x_max"):
+                value = row[name] if row[name] is not None else float("nan")
+                self.assertEqual(bits(value), bits(stored[name]))
+            self.assertIn(row["integrator"], ("exact", "verlet"))
+
+    def test_export_json(self):
+        text = self.ok("export", "table.h5", "--format", "json")
+        self.equals_the_table(json.loads(text))
+        self.assertEqual(text.count("\n"), 18)
+        self.ok("export", "table.h5", "-o", "table.json")  # by the ending
+        self.assertEqual((self.path / "table.json").read_text(), text)
+        csv_text = self.sigmasweep("export", "table.h5", "--format", "csv", "-o", "also.json")
+        self.assertEqual(csv_text.returncode, 0)
+        self.assertEqual((self.path / "also.json").read_bytes(), self.csv_bytes())
+        self.assertEqual(self.sigmasweep("export", "table.h5", "--format", "xls").returncode, 64)
+
+    def csv_bytes(self):
+        self.ok("export", "table.h5", "-o", "bytes.txt")  # no format's ending: CSV
+        return (self.path / "bytes.txt").read_bytes()
+
     def test_plot(self):
         for form, magic in (("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF")):
             self.ok("plot", "table.h5", "-o", f"a plot; `touch pwned`.{form}")

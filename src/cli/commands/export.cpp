@@ -1,49 +1,51 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 
-#include "cli/commands.hpp"
+#include "cli/command.hpp"
 #include "engine/ledger/stored_sweep.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "store/rows/formats.hpp"
 
 namespace sigmasweep {
 namespace {
 
-/// A value as RFC 4180 wants it: in quotes where it has a comma, a quote or the end of a line.
-std::string csv(std::string_view value) {
-  if (value.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(value);
-  std::string quoted = "\"";
-  for (const char c : value) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+struct ExportOptions {
+  std::string table, output;
+  std::string format;  ///< a name of row_formats(); empty: by the ending of `output`
+  bool timings = false;
+};
+
+RowFormat chosen_format(const ExportOptions& options) {
+  if (!options.format.empty()) return row_format(options.format).value();
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  return row_format(ending.empty() ? ending : ending.substr(1)).value_or(row_formats().front());
 }
 
-void write_csv(std::FILE* file, const std::vector<Field>& columns, const std::vector<Row>& rows) {
-  const auto write_record = [&](auto value_of) {
-    std::string record;
-    for (const Field& field : columns) record += (record.empty() ? "" : ",") + csv(value_of(field));
-    record += "\r\n";
-    std::fwrite(record.data(), 1, record.size(), file);  // errors stay with the file and are asked for at the end
-  };
-  write_record([](const Field& field) { return field.name; });
-  for (const Row& row : rows) write_record([&](const Field& field) { return text(field, row); });
+/// The file remembers what cannot be written.
+void write(std::FILE* file, RowWriter& writer, const std::vector<Row>& rows) {
+  const auto put = [file](const std::string& text) { std::fwrite(text.data(), 1, text.size(), file); };
+  put(writer.head());
+  for (const Row& row : rows) put(writer.record(row));
+  put(writer.tail());
 }
 
-}  // namespace
-
-int export_csv(const ExportOptions& options) {
+int export_table(const ExportOptions& options) {
   const StoredSweep stored = read_stored_sweep(options.table);
   std::vector<Field> columns = stored.table.columns;
   if (options.timings) columns.insert(columns.end(), timing_fields().begin(), timing_fields().end());
+  const auto writer = chosen_format(options).writer(std::move(columns));
   if (options.output.empty()) {
-    write_csv(stdout, columns, stored.table.rows);
+    write(stdout, *writer, stored.table.rows);
     return 0;
   }
   const std::string part = options.output + ".part";  // complete or not there
   std::FILE* file = std::fopen(part.c_str(), "wb");
   if (file == nullptr) throw OutputError(fmt::format("cannot create {}: {}", options.output, std::strerror(errno)));
-  write_csv(file, columns, stored.table.rows);
+  write(file, *writer, stored.table.rows);
   const bool written = std::fflush(file) == 0 && std::ferror(file) == 0;
   if (std::fclose(file) != 0 || !written) {
     std::remove(part.c_str());
@@ -56,6 +58,25 @@ int export_csv(const ExportOptions& options) {
     throw OutputError(fmt::format("cannot create {}: {}", options.output, error.message()));
   }
   return 0;
+}
+
+void declare(OptionSet& set, ExportOptions& options) {
+  std::vector<std::string> formats;
+  for (const RowFormat& format : row_formats()) formats.emplace_back(format.name);
+  const std::string names = fmt::format("{}", fmt::join(formats, "|"));
+  set.add({"table", "A table that 'run' wrote", "TABLE.h5"}, options.table);
+  set.add({"-o,--output", "The file; default: standard output", "FILE." + names}, options.output);
+  set.add({"--format", fmt::format("Default: by the file's ending, or {}", formats.front()), names, formats},
+          options.format);
+  set.add_flag("--timings", "With run time, predicted time, rank and attempt", options.timings);
+}
+
+}  // namespace
+
+Command export_command() {
+  std::string footer;
+  for (const RowFormat& format : row_formats()) footer += fmt::format("\n{:<6} {}", format.name, format.meaning);
+  return make_command("export", "Write a table as text", footer, declare, export_table);
 }
 
 }  // namespace sigmasweep

@@ -7,15 +7,23 @@
 #include <utility>
 
 #include "base/exit_codes.hpp"
-#include "cli/commands.hpp"
+#include "cli/command.hpp"
 #include "engine/ledger/ledger.hpp"
 #include "engine/ledger/stored_sweep.hpp"
 #include "engine/report/summary.hpp"
+#include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/table/table.hpp"
 
 namespace sigmasweep {
 namespace {
+
+struct MergeOptions {
+  std::string output;              ///< path of the table that is made
+  std::vector<std::string> parts;  ///< paths of the slices' tables
+  bool fresh = false;              ///< replace the table that is there
+  bool quiet = false;
+};
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(exit_code::bad_data, what + "; nothing was written"); }
 
@@ -70,8 +78,7 @@ void require_all(const std::vector<Row>& rows, std::uint64_t slices) {
                      names));
 }
 
-}  // namespace
-
+/// Joins the tables of slices. Throws Error of code 65 where the parts do not fit together or rows are missing.
 int merge(const MergeOptions& options) {
   Table first = read_part(options.parts.front(), nullptr);
   const Sweep sweep = Sweep::parse(first.info.spec_text, options.parts.front());
@@ -105,6 +112,31 @@ int merge(const MergeOptions& options) {
     fmt::print(stderr, "{}: {} rows from {} tables\n{}", options.output, rows.size(), options.parts.size(),
                summary(rows, Work{}, 1, 0.0));
   return std::ranges::all_of(rows, [](const Row& row) { return is_success(row.result.status); }) ? 0 : 1;
+}
+
+/// The manager merges. The other ranks only wait: MPI starts and ends with all of them.
+int merge_on_root(World& world, const MergeOptions& options) {
+  return run_on_root(world, [&] { return merge(options); });
+}
+
+void declare(OptionSet& set, MergeOptions& options) {
+  set.add({"output", "The table to make", "TABLE.h5"}, options.output);
+  set.add({"parts", "Tables of the same spec that have all its rows together", "PART.h5..."}, options.parts,
+          Several::arguments);
+  set.add_flag("--fresh", "Replace what is there", options.fresh);
+  set.add_flag("-q,--quiet", "No summary", options.quiet);
+}
+
+}  // namespace
+
+Command merge_command() {
+  return make_command(
+      "merge", "Join the tables of a sweep's slices",
+      "\nThe results are those of a run that was not divided, bit for bit. The parts are left as they are.\n\n"
+      "  sigmasweep run fig2a.toml --slice 0/2 -o part0.h5\n"
+      "  sigmasweep run fig2a.toml --slice 1/2 -o part1.h5\n"
+      "  sigmasweep merge fig2a.h5 part0.h5 part1.h5",
+      declare, merge_on_root);
 }
 
 }  // namespace sigmasweep

@@ -1,19 +1,27 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
+#include <charconv>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/json_row.hpp"
+#include "cli/command.hpp"
 #include "engine/compute.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "store/rows/json.hpp"
 
 namespace sigmasweep {
 namespace {
+
+struct OneOptions {
+  std::map<std::string_view, std::string> given;  ///< parameter: value as typed
+  bool json = false;
+};
 
 /// The value as TOML writes it: what a number is was checked before.
 std::string toml_value(const Field& field, const std::string& typed) {
@@ -75,8 +83,6 @@ void print_result(const std::vector<Field>& columns, const Row& row) {
   fmt::print("\n{:.3g} ms of computing\n", 1e3 * row.timing.run_time);
 }
 
-}  // namespace
-
 int one(const OneOptions& options) {
   const Sweep sweep = sweep_of(options);
   constexpr double no_limit = std::numeric_limits<double>::infinity();
@@ -94,6 +100,65 @@ int one(const OneOptions& options) {
   else
     print_result(columns, row);
   return is_success(row.result.status) ? 0 : 1;
+}
+
+/// "--steps-per-tc", and with the underscores of a spec.
+std::string option_names(std::string_view name) {
+  std::string dashed(name);
+  std::ranges::replace(dashed, '_', '-');
+  return dashed == name ? "--" + dashed : fmt::format("--{},--{}", dashed, name);
+}
+
+/// Says why the text is not a number, as a parameter of real or of whole numbers needs it. Whether the number describes
+/// a tuple is for the spec to say.
+std::string number_complaint(const std::string& typed, bool real) {
+  const char *begin = typed.data(), *end = begin + typed.size();
+  double number;
+  std::int64_t whole;
+  const auto [rest, error] = real ? std::from_chars(begin, end, number) : std::from_chars(begin, end, whole);
+  if (error == std::errc() && rest == end) return {};
+  return fmt::format("'{}' is not a {}number", typed, real ? "" : "whole ");
+}
+
+/// The option of a parameter, which takes a number or one of the names that its type has.
+Option option_of(const Field& field) {
+  const std::string unit = field.unit == "1" ? "" : fmt::format(" ({})", field.unit);
+  Option option{option_names(field.name), std::string(field.meaning) + unit, ""};
+  const bool real = field.type == FieldType::real;
+  if (const auto names = enumerators(field.type); !names.empty()) {
+    option.type_name = fmt::format("{}", fmt::join(names, "|"));
+    option.choices.assign(names.begin(), names.end());
+  } else {
+    option.type_name = real ? "NUMBER" : "INTEGER";
+    option.complaint = [real](const std::string& typed) { return number_complaint(typed, real); };
+  }
+  return option;
+}
+
+void declare(OptionSet& set, OneOptions& options) {
+  for (const Field& field : parameter_fields())
+    set.add(option_of(field), [&options, name = field.name](const std::string& typed) {
+      options.given[name] = typed;
+      return true;
+    });
+  set.add_flag("--json", "One JSON document: field names and values", options.json);
+}
+
+}  // namespace
+
+Command one_command() {
+  return make_command(
+      "one", "Compute one tuple, now",
+      "\nGive v0, N, s0 or sigma, and tc and epsilon, or K-over-m and D-n, or a material; the rest has defaults\n"
+      "(method md, law hooke, integrator exact, wall paper). Vibrated columns need alpha or A0, but neither v0 nor a\n"
+      "gap. A lattice needs rows (13 columns are the default) instead of N.\n\n"
+      "  sigmasweep one --v0 1 --tc 2e-5 --s0 1e-6 --N 10 --epsilon 0.9\n"
+      "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --steps-per-tc 500\n"
+      "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --tolerance 1e-4\n"
+      "  sigmasweep one --v0 1 --s0 0 --N 1 --law hertz --material steel\n"
+      "  sigmasweep one --geometry vibrated-column --alpha 4 --frequency 20 --tc 1e-4 --N 10 --epsilon 0.92\n"
+      "  sigmasweep one --geometry lattice --rows 10 --v0 0.05 --tc 2e-5 --s0 1e-7 --epsilon 0.9",
+      declare, one);
 }
 
 }  // namespace sigmasweep

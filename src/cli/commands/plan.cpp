@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "cli/commands.hpp"
+#include "cli/command.hpp"
 #include "engine/report/unstable_rows.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
@@ -11,6 +11,12 @@
 
 namespace sigmasweep {
 namespace {
+
+struct PlanOptions {
+  std::string spec;  ///< path of the sweep spec
+  int ranks = 1;
+  bool json = false;
+};
 
 struct Plan {
   double core_seconds = 0.0, longest_seconds = 0.0, lower_bound_seconds = 0.0, makespan_seconds = 0.0;
@@ -92,8 +98,6 @@ void print_json(const Sweep& sweep, const Plan& plan, int ranks) {
   fmt::print("{}\n", document.dump(2));
 }
 
-}  // namespace
-
 int plan(const PlanOptions& options) {
   const Sweep sweep = Sweep::load(options.spec);
   const Plan result = plan_of(sweep, options.ranks);
@@ -104,6 +108,19 @@ int plan(const PlanOptions& options) {
   else
     print_text(sweep, result, options.ranks);
   return 0;
+}
+
+void declare(OptionSet& set, PlanOptions& options) {
+  set.add({"spec", "The sweep spec, a TOML file", "SPEC.toml"}, options.spec);
+  set.add({"--ranks", "For this many MPI ranks", "R"}, options.ranks, {1, 1 << 20});
+  set.add_flag("--json", "One JSON document; times in seconds", options.json);
+}
+
+}  // namespace
+
+Command plan_command() {
+  return make_command("plan", "Check a sweep spec and say what it would take; nothing is run",
+                      "\n  sigmasweep plan fig2a.toml --ranks 64", declare, plan);
 }
 
 }  // namespace sigmasweep

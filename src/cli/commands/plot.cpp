@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/commands.hpp"
-#include "cli/commands/plot_films.hpp"
+#include "cli/command.hpp"
+#include "cli/plot_films.hpp"
 #include "engine/ledger/stored_sweep.hpp"
 #include "plot/named.hpp"
 #include "sigmasweep/base/errors.hpp"
@@ -15,6 +15,15 @@
 
 namespace sigmasweep {
 namespace {
+
+struct PlotOptions {
+  std::string table, output;
+  std::string name;  ///< of the one plot to draw; empty: all
+  std::string kind;  ///< "precision": error against run time; "stability": map of stable steps; empty: as the spec says
+  std::string x, y, x_scale, y_scale;  ///< replace the spec's, where not empty; then one plot is drawn
+  std::vector<std::string> series;
+  bool quiet = false;  ///< print the files' names only, no fits
+};
 
 bool has_overrides(const PlotOptions& o) {
   return !o.x.empty() || !o.y.empty() || !o.x_scale.empty() || !o.y_scale.empty() || !o.series.empty();
@@ -47,9 +56,7 @@ void draw(const StoredSweep& stored, const PlotSpec& spec, const PlotOptions& op
   if (spec.fit && !options.quiet) fmt::print("{}", fit_table(fits, *spec.fit));
 }
 
-}  // namespace
-
-int plot(const PlotOptions& options) {
+int plot_table(const PlotOptions& options) {
   const std::filesystem::path table(options.table);
   const std::string main_file =
       options.output.empty() ? table.filename().replace_extension(".svg").string() : options.output;
@@ -80,6 +87,42 @@ int plot(const PlotOptions& options) {
     draw(stored, spec, options, has_main_file ? main_file : picture_named(main_file, spec.name));
   }
   return 0;
+}
+
+void declare(OptionSet& set, PlotOptions& options) {
+  const auto add_scale = [&](const std::string& name, const std::string& axis, std::string& target) {
+    set.add({name, fmt::format("Of the {} axis", axis), "linear|log", {"linear", "log"}}, target);
+  };
+  set.add({"table", "A table that 'run' or 'precision' wrote", "TABLE.h5"}, options.table);
+  set.add({"-o,--output",
+           "The picture, of several plots the first (others: FILE-name.svg); default: the table's name, here",
+           "FILE.svg|png|pdf"},
+          options.output);
+  set.add({"--name", "Only the plot of this name", "NAME"}, options.name);
+  set.add({"--kind",
+           "Another plot: error bars against run times, or where fixed time steps are stable",
+           "precision|stability",
+           {"precision", "stability"}},
+          options.kind);
+  set.add({"--x", "Another field for the x axis, or an expression", "FIELD"}, options.x);
+  set.add({"--y", "Another field for the y axis, or an expression", "FIELD"}, options.y);
+  add_scale("--x-scale", "x", options.x_scale);
+  add_scale("--y-scale", "y", options.y_scale);
+  set.add({"--series", "Fields: one curve for each combination of their values", "FIELD,..."}, options.series,
+          Several::comma_separated);
+  set.add_flag("-q,--quiet", "Print the files' names only, no fits", options.quiet);
+}
+
+}  // namespace
+
+Command plot_command() {
+  return make_command(
+      "plot", "Draw a table as its spec says",
+      "\nWith --x, --y, --x-scale, --y-scale or --series one plot is drawn, without the spec's fit and guides: the\n"
+      "first, or that of --name.\n\n"
+      "  sigmasweep plot fig2a.h5 -o fig2a.png\n"
+      "  sigmasweep plot fig2a.h5 --x \"s0/v0\" --y \"1 - eps_eff\" --y-scale log -o loss.svg",
+      declare, plot_table);
 }
 
 }  // namespace sigmasweep

@@ -1,13 +1,20 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "cli/commands.hpp"
-#include "cli/json_row.hpp"
+#include "cli/command.hpp"
 #include "engine/ledger/stored_sweep.hpp"
+#include "store/rows/json.hpp"
 #include "sweep/expression/where.hpp"
 
 namespace sigmasweep {
 namespace {
+
+struct ShowOptions {
+  std::string table, where;
+  bool failed = false, json = false;
+  std::optional<std::uint64_t> limit;  ///< of rows shown; 0: all; not given: default_limit, with json all
+  static constexpr std::uint64_t default_limit = 40;
+};
 
 /// A number short enough for a column; everything else in full.
 std::string cell(const Field& field, const Row& row) {
@@ -82,8 +89,6 @@ void print_json(const StoredSweep& stored, const ShowOptions& options, const std
   fmt::print("{}\n", document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-}  // namespace
-
 int show(const ShowOptions& options) {
   const std::vector<Field> fields = all_fields();
   std::optional<Where> where;
@@ -101,6 +106,25 @@ int show(const ShowOptions& options) {
   else
     print_text(stored, options, rows, matching);
   return 0;
+}
+
+void declare(OptionSet& set, ShowOptions& options) {
+  set.add({"table", "A table that 'run' wrote", "TABLE.h5"}, options.table);
+  set.add({"--where", "Only rows for which this holds, as in a spec", "CONDITION"}, options.where);
+  set.add_flag("--failed", "Only failed rows, each with the command that repeats it", options.failed);
+  set.add(
+      {"--limit",
+       fmt::format("At most this many rows, 0: all; default {}, with --json all", ShowOptions::default_limit), "ROWS"},
+      options.limit, {0, std::int64_t{1} << 40});
+  set.add_flag("--json", "One JSON document", options.json);
+}
+
+}  // namespace
+
+Command show_command() {
+  return make_command("show", "Look at a table",
+                      "\n  sigmasweep show fig2a.h5 --where \"method == md && sigma > 1 && eps_eff < 0.5\" --limit 10",
+                      declare, show);
 }
 
 }  // namespace sigmasweep

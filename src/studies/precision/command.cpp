@@ -1,3 +1,5 @@
+#include "studies/precision/command.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,9 +13,9 @@
 #include <vector>
 
 #include "base/exit_codes.hpp"
-#include "cli/commands.hpp"
 #include "engine/report/progress.hpp"
 #include "engine/report/provenance.hpp"
+#include "engine/run.hpp"
 #include "engine/stop/stop.hpp"
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
@@ -114,7 +116,7 @@ std::vector<Field> parameters_of(const Sweep& sweep) {
 
 }  // namespace
 
-int precision(World& world, const PrecisionOptions& options) {
+int precision_study(World& world, const PrecisionOptions& options) {
   const std::string start = utc_now();
   std::optional<Sweep> sweep;
   const int loaded = run_on_root(world, [&] {

@@ -1,10 +1,11 @@
+#include "studies/stability/command.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "base/exit_codes.hpp"
-#include "cli/commands.hpp"
 #include "engine/ledger/stored_sweep.hpp"
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
@@ -29,7 +30,7 @@ bool is_well(const Row& row) { return row.result.status == Status::unstable || i
 
 }  // namespace
 
-int stability(World& world, const StabilityOptions& options) {
+int stability_study(World& world, const StabilityOptions& options) {
   const int loaded = run_on_root(world, [&] {
     require_steps(Sweep::load(options.run.spec), options.run.spec);
     return success;

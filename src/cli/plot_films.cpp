@@ -1,4 +1,4 @@
-#include "cli/commands/plot_films.hpp"
+#include "cli/plot_films.hpp"
 
 #include <fmt/format.h>
 

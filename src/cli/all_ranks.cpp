@@ -1,0 +1,49 @@
+#include "cli/all_ranks.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <thread>
+
+#include "base/exit_codes.hpp"
+#include "sigmasweep/base/errors.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// An error that one rank alone meets ends all ranks: none of them must wait for it.
+[[noreturn]] void abort_all(const World& world, int exit_code, const char* message) {
+  fmt::print(stderr, "sigmasweep: rank {}: {}\n", world.rank(), message);
+  world.abort(exit_code);
+}
+
+/// MPI waits for all ranks at its end. An error that the manager met alone, unknown to the others, must not make it
+/// wait for ever.
+void end_soon(int exit_code) {
+  std::thread([exit_code] {
+    std::this_thread::sleep_for(std::chrono::seconds(30));
+    std::_Exit(exit_code);
+  }).detach();
+}
+
+}  // namespace
+
+int on_all_ranks(int& argc, char**& argv, const std::function<int(World&)>& command) {
+  World world(argc, argv);
+  try {
+    return command(world);
+  } catch (const Error& error) {
+    if (!world.is_manager()) abort_all(world, error.exit_code(), error.what());
+    // The other ranks know, and leave with the same code. Say it before MPI ends: once the first of them is gone,
+    // mpirun may end this rank too.
+    fmt::print(stderr, "sigmasweep: {}\n", error.what());
+    end_soon(error.exit_code());
+    return error.exit_code();
+  } catch (const std::exception& error) {
+    abort_all(world, exit_code::internal_error, error.what());
+  }
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,26 @@
+#include "cli/command.hpp"
+#include "studies/stability/command.hpp"
+
+namespace sigmasweep {
+namespace {
+
+void declare(OptionSet& set, StabilityOptions& options) {
+  set.add({"spec", "A sweep spec with integrators of fixed step and steps_per_tc", "SPEC.toml"}, options.run.spec);
+  set.add({"-o,--output", "The table; default: the spec's name with .h5, here", "TABLE.h5"}, options.run.output);
+  set.add_flag("--fresh", "Start again, whatever is there", options.run.fresh);
+  set.add_flag("--no-plots", "No pictures", options.plots, false);
+  set.add_flag("-q,--quiet", "Neither progress nor summary", options.run.quiet);
+}
+
+}  // namespace
+
+Command stability_command() {
+  return make_command(
+      "stability", "Find out where the integrators of fixed step are stable",
+      "\nRuns the sweep, or goes on with it, as 'run' does, then prints what was seen beside what theory predicts,\n"
+      "and draws both to TABLE.svg and TABLE.png. Rows that came out unstable are no failures here.\n\n"
+      "  mpirun -n 2 sigmasweep stability stability.toml",
+      declare, stability_study);
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,25 @@
+#include "cli/registry.hpp"
+
+/// The commands in the order of the program's help. commands/NAME.cpp defines NAME_command().
+#define SIGMASWEEP_COMMANDS(X) \
+  X(run)                       \
+  X(merge)                     \
+  X(precision)                 \
+  X(stability)                 \
+  X(plan)                      \
+  X(one)                       \
+  X(plot)                      \
+  X(show)                      \
+  X(export)
+
+namespace sigmasweep {
+
+#define SIGMASWEEP_DECLARE(name) Command name##_command();
+SIGMASWEEP_COMMANDS(SIGMASWEEP_DECLARE)
+
+std::vector<Command> commands() {
+#define SIGMASWEEP_MAKE(name) name##_command(),
+  return {SIGMASWEEP_COMMANDS(SIGMASWEEP_MAKE)};
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/run.hpp"
+
+namespace sigmasweep {
+
+/// The options of the command `stability`.
+struct StabilityOptions {
+  RunOptions run;
+  bool plots = true;
+};
+
+/// Runs the sweep as run() does, then prints and draws the map of stable steps; on all ranks. Returns the exit code, as
+/// run() does. A row that is unstable is no failure here.
+int stability_study(World& world, const StabilityOptions& options);
+
+}  // namespace sigmasweep
