@@ -15,7 +15,8 @@
 #include <vector>
 
 #include "base/exit_codes.hpp"
-#include "engine/compute.hpp"
+#include "engine/compute_row.hpp"
+#include "engine/distribute/distribute.hpp"
 #include "engine/ledger/ledger.hpp"
 #include "engine/report/progress.hpp"
 #include "engine/report/provenance.hpp"
@@ -26,8 +27,8 @@
 #include "engine/stop/stop.hpp"
 #include "engine/trajectories/trajectories.hpp"
 #include "engine/trajectories/trajectory_files.hpp"
-#include "mpi/collective_sum.hpp"
 #include "mpi/on_root.hpp"
+#include "mpi/run_collective.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
@@ -161,7 +162,7 @@ int Run::keep_notes() {
   });
   if (code != success) return code;
   try {
-    together(static_cast<MPI_Comm>(world_.native()), [&] {
+    run_collective(world_.comm(), [&] {
       crash_notes_.emplace(table_, identity, world_.rank());
       return std::uint64_t{0};
     });
@@ -197,11 +198,13 @@ int Run::compute() {
   });
   if (ready != success) return ready;
 
-  Job job;
-  job.tuple = [this](std::uint64_t row) { return sweep_->at(row); };
-  job.compute = [this](const Tuple& tuple, const std::function<bool()>& to_end) {
-    crash_notes_->begin(tuple.index);
-    const auto row = compute_row(tuple, world_.rank(), sweep_->tuple_time_limit(), to_end);
+  Job<SweepTask, Row> job;
+  job.task = [this](std::uint64_t row, double predicted_seconds) {
+    return SweepTask{row, predicted_seconds, sweep_->at(row)};
+  };
+  job.compute = [this](const SweepTask& task, const std::function<bool()>& should_end) {
+    crash_notes_->begin(task.index);
+    const auto row = compute_row(task, world_.rank(), sweep_->tuple_time_limit(), should_end);
     crash_notes_->end();
     return row;
   };
@@ -249,8 +252,7 @@ int Run::write() {
   info.slice = options_.slice;
   const auto block = world_.scatter(ledger_ ? ledger_->rows() : std::vector<Row>{}, rows());
   try {
-    write_table(static_cast<MPI_Comm>(world_.native()), table_, info, sweep_->columns(), rows(),
-                world_.block(rows()).first, block);
+    write_table(world_.comm(), table_, info, sweep_->columns(), rows(), world_.block(rows()).first, block);
   } catch (const Error& error) {  // the same on all ranks; the manager's is enough
     if (world_.is_manager()) throw;
     return error.exit_code();

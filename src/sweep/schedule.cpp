@@ -55,7 +55,7 @@ void Schedule::pass_over(Range rows) {
     passed_over_.push_back(rows);
 }
 
-std::span<const std::uint64_t> Schedule::next(double max_seconds) {
+Schedule::Chunk Schedule::next(double max_seconds) {
   for (std::size_t ranges = passed_over_.size() + 1; ranges > 0; --ranges) {
     const auto longer = std::partition_point(seconds_.begin() + static_cast<std::ptrdiff_t>(to_do_.first),
                                              seconds_.begin() + static_cast<std::ptrdiff_t>(to_do_.end),
@@ -64,7 +64,7 @@ std::span<const std::uint64_t> Schedule::next(double max_seconds) {
     pass_over({to_do_.first, first});
     if (first < to_do_.end) {
       to_do_.first = chunk_end({first, to_do_.end}, left_, max_seconds);
-      return std::span(rows_).subspan(first, to_do_.first - first);
+      return Chunk{rows_, seconds_}.from(first).first(to_do_.first - first);
     }
     to_do_ = {};
     if (passed_over_.empty()) break;

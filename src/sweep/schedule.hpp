@@ -18,9 +18,20 @@ class Schedule {
   /// or a prediction is not a finite number > 0.
   Schedule(std::vector<std::uint64_t> rows, std::vector<double> predicted_seconds, int ranks,
            double min_chunk_seconds = 1e-3, double max_chunk_seconds = 0.25);
+  /// Rows with the prediction, s, of each. A range over the rows; valid until the Schedule is destroyed.
+  struct Chunk {
+    std::span<const std::uint64_t> rows;
+    std::span<const double> predicted_seconds;
+    std::size_t size() const { return rows.size(); }
+    bool empty() const { return rows.empty(); }
+    auto begin() const { return rows.begin(); }
+    auto end() const { return rows.end(); }
+    Chunk first(std::size_t count) const { return {rows.first(count), predicted_seconds.first(count)}; }
+    Chunk from(std::size_t row) const { return {rows.subspan(row), predicted_seconds.subspan(row)}; }
+  };
   /// The next chunk that is predicted to take at most so long; empty when there is none. Longer rows are passed over,
-  /// and looked at again after the others. Valid until the Schedule is destroyed.
-  std::span<const std::uint64_t> next(double max_seconds = std::numeric_limits<double>::infinity());
+  /// and looked at again after the others.
+  Chunk next(double max_seconds = std::numeric_limits<double>::infinity());
   double total_seconds() const;
   double longest_seconds() const;
   /// max(total/ranks, longest): no schedule ends earlier.

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "cli/command.hpp"
-#include "engine/compute.hpp"
+#include "engine/compute_row.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/relevance.hpp"
+#include "sigmasweep/sweep/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/rows/json.hpp"
 
@@ -86,7 +87,9 @@ void print_result(const std::vector<Field>& columns, const Row& row) {
 int one(const OneOptions& options) {
   const Sweep sweep = sweep_of(options);
   constexpr double no_limit = std::numeric_limits<double>::infinity();
-  const Row row = *compute_row({.index = 0, .parameters = sweep.at(0)}, 0, no_limit);
+  const Parameters parameters = sweep.at(0);
+  const SweepTask task{.index = 0, .predicted_seconds = predicted_time(parameters), .parameters = parameters};
+  const Row row = *compute_row(task, 0, no_limit);
   std::vector<Field> columns;  // what a table would have, what was given, and what follows from it
   for (const Field& field : parameter_fields()) {
     const bool column = std::ranges::any_of(sweep.columns(), [&](const Field& f) { return f.name == field.name; });

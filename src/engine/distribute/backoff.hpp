@@ -9,7 +9,7 @@ namespace sigmasweep {
 
 /// How long to sleep between two looks for messages: longer and longer while none come, up to a millisecond, so that a
 /// rank with nothing to do leaves its core to the others.
-class Nap {
+class Backoff {
  public:
   using Duration = std::chrono::microseconds;
   void reset() { next_ = shortest; }

@@ -1,10 +1,11 @@
+#include "engine/distribute/distribute.hpp"
+
 #include "engine/distribute/manager.hpp"
-#include "engine/distribute/worker.hpp"
-#include "mpi/world.hpp"
+#include "engine/distribute/remote_worker.hpp"
 
 namespace sigmasweep {
 
-void distribute(const World& world, Schedule* schedule, const Job& job) {
+void distribute_bytes(const World& world, Schedule* schedule, const ByteJob& job) {
   if (world.is_manager())
     Manager(world, *schedule, job).run();
   else

@@ -5,33 +5,34 @@
 #include <utility>
 
 #include "engine/distribute/backoff.hpp"
-#include "engine/distribute/messages.hpp"
 #include "mpi/world_impl.hpp"
-#include "sigmasweep/sweep/cost.hpp"
 
 namespace sigmasweep {
 namespace {
 
-constexpr std::size_t max_piece_rows = 1024;  // ~100 kB a message; at 10 us a row still 10 ms of work
-constexpr double prefetch_seconds = 0.05;     // fifty times the manager's longest nap
+constexpr std::size_t max_piece_tasks = 1024;  // ~300 kB a message; at 10 us a task still 10 ms of work
+constexpr double prefetch_seconds = 0.05;      // fifty times the manager's longest sleep
 
 }  // namespace
 
-Manager::Manager(const World& world, Schedule& schedule, const Job& job)
-    : workers_(world.impl().communicator), schedule_(schedule), job_(job), worker_(world.size()) {
+Manager::Manager(const World& world, Schedule& schedule, const ByteJob& job)
+    : workers_(world.impl().communicator),
+      schedule_(schedule),
+      job_(job),
+      worker_(static_cast<std::size_t>(world.size())) {
   if (job.manager_computes || world.size() == 1)
-    own_worker_.emplace(job.compute);
+    own_worker_.emplace(job);
   else
     worker_[message::manager_rank].dismissed = worker_[message::manager_rank].gone = true;
-  left_ = static_cast<int>(std::count_if(worker_.begin(), worker_.end(), [](const Worker& w) { return !w.gone; }));
+  left_ = static_cast<int>(std::ranges::count(worker_, false, &Worker::gone));
 }
 
 void Manager::run() {
   for (int rank = 0; rank < workers_.size(); ++rank) supply(rank);
-  for (Nap nap; left_ > 0;) {
+  for (Backoff backoff; left_ > 0;) {
     if (!stopped_ && job_.stop()) stop();
     const bool news = look_for_messages();
-    if (look_at_own_worker(news ? Nap::Duration(0) : nap.next()) || news) nap.reset();
+    if (look_at_own_worker(news ? Backoff::Duration(0) : backoff.next()) || news) backoff.reset();
     sending_.remove_if([](Sending& sending) { return sending.request.test().has_value(); });
   }
   for (Sending& sending : sending_) sending.request.wait();
@@ -42,9 +43,9 @@ bool Manager::look_for_messages() {
   while (const auto message = workers_.iprobe()) {
     news = true;
     const int rank = message->source();
-    take(rank, message::receive<Row>(workers_, *message));
+    take(rank, message::receive(workers_, *message));
     if (message->tag() == message::stop) stop();
-    if (message->tag() == message::farewell) farewell(rank);
+    if (message->tag() == message::last_answers) mark_gone(rank);
     supply(rank);
   }
   return news;
@@ -55,20 +56,16 @@ bool Manager::look_at_own_worker(std::chrono::microseconds wait) {
     if (wait.count() > 0) std::this_thread::sleep_for(wait);
     return false;
   }
-  const auto mail = own_worker_->collect(wait);
-  take(message::manager_rank, mail.rows);
-  if (mail.farewell) farewell(message::manager_rank);
-  const bool news = mail.farewell || !mail.rows.empty();
-  if (news) supply(message::manager_rank);
-  return news;
+  const ThreadWorker::Mail mail = own_worker_->collect(wait);
+  take(message::manager_rank, mail.answers);
+  if (mail.is_last) mark_gone(message::manager_rank);
+  if (!mail.empty()) supply(message::manager_rank);
+  return !mail.empty();
 }
 
-void Manager::take(int rank, const std::vector<Row>& rows) {
-  worker_[rank].rows_out -= rows.size();
-  for (const Row& row : rows) job_.finished(row);
-}
+void Manager::take(int rank, const wire::Bytes& answers) { worker_[rank].tasks_out -= job_.finished(answers); }
 
-void Manager::farewell(int rank) {
+void Manager::mark_gone(int rank) {
   worker_[rank].gone = true;
   --left_;
 }
@@ -76,51 +73,52 @@ void Manager::farewell(int rank) {
 void Manager::supply(int rank) {
   Worker& worker = worker_[rank];
   while (!worker.dismissed && wants_chunk(worker)) {
-    const auto rows = next_piece();
-    if (!rows.empty()) {
-      hand_out(rank, rows);
+    const Schedule::Chunk piece = next_piece();
+    if (!piece.empty()) {
+      hand_out(rank, piece);
       continue;
     }
-    // Who has nothing to do stays: its rank may still be asked to stop the others.
-    if (std::ranges::all_of(worker_, [](const Worker& w) { return w.rows_out == 0; })) dismiss_all();
+    // A worker that has nothing to do stays: its rank may still be asked to stop the others.
+    if (std::ranges::all_of(worker_, [](const Worker& w) { return w.tasks_out == 0; })) dismiss_all();
     return;
   }
 }
 
 bool Manager::wants_chunk(const Worker& worker) const {
-  if (worker.rows_out == 0) return true;
-  return worker.rows_out <= worker.last_chunk_rows && worker.last_chunk_seconds < prefetch_seconds;
+  if (worker.tasks_out == 0) return true;
+  return worker.tasks_out <= worker.last_chunk_tasks && worker.last_chunk_seconds < prefetch_seconds;
 }
 
-std::span<const std::uint64_t> Manager::next_piece() {
+Schedule::Chunk Manager::next_piece() {
   if (piece_.empty()) piece_ = job_.max_seconds ? schedule_.next(job_.max_seconds()) : schedule_.next();
-  const auto rows = piece_.first(std::min(max_piece_rows, piece_.size()));
-  piece_ = piece_.subspan(rows.size());
-  return rows;
+  const std::size_t tasks = std::min(max_piece_tasks, piece_.size());
+  return std::exchange(piece_, piece_.from(tasks)).first(tasks);
 }
 
-void Manager::hand_out(int rank, std::span<const std::uint64_t> rows) {
-  std::vector<Tuple> tuples;
-  tuples.reserve(rows.size());
+void Manager::hand_out(int rank, const Schedule::Chunk& piece) {
+  wire::Bytes tasks;
   double seconds = 0.0;
-  for (const std::uint64_t row : rows) {
-    tuples.push_back({row, job_.tuple(row)});
-    seconds += predicted_time(tuples.back().parameters);
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    job_.append_task(piece.rows[i], piece.predicted_seconds[i], tasks);
+    seconds += piece.predicted_seconds[i];
   }
   Worker& worker = worker_[rank];
-  worker.rows_out += rows.size();
-  worker.last_chunk_rows = rows.size();
+  worker.tasks_out += piece.size();
+  worker.last_chunk_tasks = piece.size();
   worker.last_chunk_seconds = seconds;
-  if (rank == message::manager_rank) return own_worker_->give(std::move(tuples));
-  Sending& sending = sending_.emplace_back(std::move(tuples), boost::mpi::request());
-  sending.request = message::send<Tuple>(workers_, rank, message::chunk, sending.tuples);
+  if (rank == message::manager_rank) return own_worker_->give(std::move(tasks));
+  send(rank, message::chunk, std::move(tasks));
+}
+
+void Manager::send(int rank, message::Tag tag, wire::Bytes bytes) {
+  Sending& sending = sending_.emplace_back(std::move(bytes), boost::mpi::request());
+  sending.request = message::send(workers_, rank, tag, sending.bytes);
 }
 
 void Manager::dismiss(int rank) {
   worker_[rank].dismissed = true;
   if (rank == message::manager_rank) return own_worker_->say_quit();
-  Sending& sending = sending_.emplace_back();
-  sending.request = message::send<Tuple>(workers_, rank, message::quit, {});
+  send(rank, message::quit, {});
 }
 
 void Manager::stop() {

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "engine/trajectories/trajectory_files.hpp"
-#include "mpi/collective_sum.hpp"
+#include "mpi/run_collective.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
 #include "store/h5md.hpp"
@@ -97,16 +97,16 @@ void require_own_trajectories(const Sweep& sweep, const std::string& table) {
 
 Films write_trajectories(const World& world, const Sweep& sweep, const std::string& table, const std::vector<Row>& rows,
                          const StopRequest& stop) {
-  const auto comm = static_cast<MPI_Comm>(world.native());
+  const auto comm = world.comm();
   std::vector<Row> all;
-  const std::uint64_t wanted = together(comm, [&] {
+  const std::uint64_t wanted = run_collective(comm, [&] {
     if (!world.is_manager()) return std::uint64_t{0};
     make_directory(trajectory_directory(table));
     all = dealt(sweep, rows, world.size());
     return std::uint64_t{all.size()};
   });
   const std::vector<Row> mine = world.scatter(all, wanted);
-  const std::uint64_t there = together(comm, [&] {
+  const std::uint64_t there = run_collective(comm, [&] {
     std::uint64_t done = 0;
     for (const Row& row : mine) {
       if (stop.made()) break;

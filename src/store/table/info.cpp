@@ -26,11 +26,11 @@ std::string hdf5_version() {
   return fmt::format("{}.{}.{}", major, minor, release);
 }
 
-TableInfo common_info(const RankGroup& team, TableInfo info) {
+TableInfo common_info(const RankGroup& group, TableInfo info) {
   for (std::string* text : {&info.title, &info.spec_text, &info.host, &info.start})
-    *text = team.broadcast(std::move(*text));
-  info.spec_hash = team.broadcast(info.spec_hash);
-  info.ranks = static_cast<int>(team.broadcast(static_cast<std::uint64_t>(info.ranks)));
+    *text = group.broadcast(std::move(*text));
+  info.spec_hash = group.broadcast(info.spec_hash);
+  info.ranks = static_cast<int>(group.broadcast(static_cast<std::uint64_t>(info.ranks)));
   return info;
 }
 

@@ -4,14 +4,14 @@
 
 #include <cstdint>
 
-#include "mpi/collective.hpp"
+#include "mpi/rank_group.hpp"
 #include "store/table/table.hpp"
 
 /// The root attributes of a table.
 namespace sigmasweep {
 
 /// Rank 0's, on every rank: HDF5 wants collective metadata to be the same everywhere.
-TableInfo common_info(const RankGroup& team, TableInfo info);
+TableInfo common_info(const RankGroup& group, TableInfo info);
 
 /// Collective, with a common info; or for a file of one rank.
 void write_info(hid_t file, const char* format, std::uint64_t format_version, const TableInfo& info,

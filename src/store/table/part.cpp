@@ -24,9 +24,9 @@ std::uint64_t rows_per_transfer(const Section& section) {
 
 Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose, "cannot make a property list"}; }
 
-Handle create_file(const RankGroup& team, const std::string& path) {
+Handle create_file(const RankGroup& group, const std::string& path) {
   const Handle access = property_list(H5P_FILE_ACCESS);
-  check(H5Pset_fapl_mpio(access, team.comm(), MPI_INFO_NULL), "cannot choose MPI-IO");
+  check(H5Pset_fapl_mpio(access, group.comm(), MPI_INFO_NULL), "cannot choose MPI-IO");
   check(H5Pset_coll_metadata_write(access, true), "cannot choose collective metadata");
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "cannot create"};
 }
@@ -82,14 +82,14 @@ std::uint64_t checksum_of(const Section& section, const Block& block) {
 }
 
 /// Collective: one write of all ranks' rows, or a few if there are very many.
-void write_dataset(const RankGroup& team, hid_t dataset, const Section& section, Block block) {
+void write_dataset(const RankGroup& group, hid_t dataset, const Section& section, Block block) {
   const std::string what = "cannot write dataset " + section.name;
   const std::size_t row_size = packed_size(section.fields);
   const std::uint64_t at_a_time = rows_per_transfer(section);
-  const std::uint64_t transfers = team.max((block.rows.size() + at_a_time - 1) / at_a_time);
+  const std::uint64_t transfers = group.max((block.rows.size() + at_a_time - 1) / at_a_time);
   std::vector<std::byte> buffer;
   Handle transfer, type;
-  team.together([&] {
+  group.run_collective([&] {
     buffer.resize(row_size * std::clamp<std::uint64_t>(block.rows.size(), 1, at_a_time));
     transfer = property_list(H5P_DATASET_XFER);
     check(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE), what);
@@ -101,12 +101,13 @@ void write_dataset(const RankGroup& team, hid_t dataset, const Section& section,
   for (std::uint64_t i = 0; i < transfers; ++i) {
     const auto rows = block.rows.subspan(0, std::min<std::uint64_t>(at_a_time, block.rows.size()));
     Handle in_memory, in_file;
-    team.together([&] {  // apart from the write: a rank that fails alone here must not leave the others waiting there
-      for (std::size_t k = 0; k < rows.size(); ++k) pack(section.fields, rows[k], buffer.data() + k * row_size);
-      in_memory = memory_space(rows.size());
-      in_file = select(dataset, block.first, rows.size());
-    });
-    team.together([&] { check(H5Dwrite(dataset, type, in_memory, in_file, transfer, buffer.data()), what); });
+    group.run_collective(
+        [&] {  // apart from the write: a rank that fails alone here must not leave the others waiting there
+          for (std::size_t k = 0; k < rows.size(); ++k) pack(section.fields, rows[k], buffer.data() + k * row_size);
+          in_memory = memory_space(rows.size());
+          in_file = select(dataset, block.first, rows.size());
+        });
+    group.run_collective([&] { check(H5Dwrite(dataset, type, in_memory, in_file, transfer, buffer.data()), what); });
     block = {block.first + rows.size(), block.rows.subspan(rows.size())};
   }
 }
@@ -135,31 +136,31 @@ void reserve_space(const std::string& path, std::uint64_t bytes) {
   throw IoError(fmt::format("no room for {} bytes: {}", bytes, reason(error)));
 }
 
-std::vector<Checksums> write_part(const RankGroup& team, const std::string& path, const TableInfo& info,
+std::vector<Checksums> write_part(const RankGroup& group, const std::string& path, const TableInfo& info,
                                   std::span<const Section> sections, std::uint64_t total_rows, Block block) {
   std::vector<Checksums> checksums(sections.size());
-  team.together([&] {
+  group.run_collective([&] {
     for (std::size_t i = 0; i < sections.size(); ++i) checksums[i].block = checksum_of(sections[i], block);
   });
-  for (Checksums& each : checksums) each.dataset = team.sum(each.block);
+  for (Checksums& each : checksums) each.dataset = group.sum(each.block);
   Handle file;
-  team.together([&] { file = create_file(team, path); });
-  const TableInfo common = common_info(team, info);
+  group.run_collective([&] { file = create_file(group, path); });
+  const TableInfo common = common_info(group, info);
   std::vector<Handle> datasets;
-  team.together([&] {
+  group.run_collective([&] {
     write_info(file, table_format, table_format_version, common, total_rows);
     for (std::size_t i = 0; i < sections.size(); ++i) {
       checksums[i].dataset += checksum_of_layout(packed_type(sections[i].fields));
       datasets.push_back(create_dataset(file, sections[i], total_rows, checksums[i].dataset));
     }
   });
-  team.together([&] {
+  group.run_collective([&] {
     hsize_t bytes = 0;  // with all metadata and the space of the datasets
     check(H5Fget_filesize(file, &bytes), "cannot ask for the file's size");
-    if (team.rank() == 0) reserve_space(path, bytes);
+    if (group.rank() == 0) reserve_space(path, bytes);
   });
-  for (std::size_t i = 0; i < sections.size(); ++i) write_dataset(team, datasets[i], sections[i], block);
-  team.together([&] {
+  for (std::size_t i = 0; i < sections.size(); ++i) write_dataset(group, datasets[i], sections[i], block);
+  group.run_collective([&] {
     for (Handle& dataset : datasets) dataset.close("cannot close a dataset");
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "cannot sync");  // every rank brings its own writes to the disk
     file.close("cannot close");

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mpi/collective.hpp"
+#include "mpi/rank_group.hpp"
 #include "store/table/table.hpp"
 
 /// The steps of write_table: write PATH.part together, then read it back.
@@ -35,7 +35,7 @@ void reserve_space(const std::string& path, std::uint64_t bytes);
 
 /// Collective. Makes the file `path`, which must be there already, a table of `total_rows` rows with these datasets
 /// and this rank's block in them. Returns the checksums of each dataset, with those of this rank's block.
-std::vector<Checksums> write_part(const RankGroup& team, const std::string& path, const TableInfo& info,
+std::vector<Checksums> write_part(const RankGroup& group, const std::string& path, const TableInfo& info,
                                   std::span<const Section> sections, std::uint64_t total_rows, Block block);
 
 /// Reads the table that write_part() wrote, on this rank alone; returns the checksums, with those of that range of

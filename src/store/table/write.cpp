@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "mpi/collective.hpp"
+#include "mpi/rank_group.hpp"
 #include "store/files.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/table/packing.hpp"
@@ -60,9 +60,9 @@ void see_same_file(const std::string& part, int rank) {
 }
 
 /// The blocks must cover the table; nothing would fill a gap.
-void check_blocks(const RankGroup& team, const Slice& slice, std::uint64_t total_rows, const Block& block) {
-  const std::uint64_t rows = team.sum(block.rows.size());
-  team.together([&] {
+void check_blocks(const RankGroup& group, const Slice& slice, std::uint64_t total_rows, const Block& block) {
+  const std::uint64_t rows = group.sum(block.rows.size());
+  group.run_collective([&] {
     bool right = rows == total_rows;
     for (std::size_t k = 0; k < block.rows.size(); ++k)
       right = right && block.rows[k].index == slice.row(block.first + k);
@@ -71,15 +71,15 @@ void check_blocks(const RankGroup& team, const Slice& slice, std::uint64_t total
 }
 
 /// Every rank reads what the next one wrote: its own rows it might find in its own machine's memory.
-void read_back(const RankGroup& team, const std::string& part, std::span<const Section> sections,
+void read_back(const RankGroup& group, const std::string& part, std::span<const Section> sections,
                std::uint64_t total_rows, const Block& block, const std::vector<Checksums>& checksums) {
   std::vector<std::uint64_t> message{block.first, block.rows.size()};
   for (const Checksums& each : checksums) message.push_back(each.block);
-  const int before = (team.rank() + team.size() - 1) % team.size(), next = (team.rank() + 1) % team.size();
+  const int before = (group.rank() + group.size() - 1) % group.size(), next = (group.rank() + 1) % group.size();
   check_mpi(MPI_Sendrecv_replace(message.data(), static_cast<int>(message.size()), MPI_UINT64_T, before, 0, next, 0,
-                                 team.comm(), MPI_STATUS_IGNORE),
+                                 group.comm(), MPI_STATUS_IGNORE),
             "cannot exchange checksums");
-  team.together([&] {
+  group.run_collective([&] {
     const auto found = checksums_in_part(part, sections, total_rows, message[0], message[1]);
     for (std::size_t i = 0; i < sections.size(); ++i)
       if (found[i] != Checksums{message[2 + i], checksums[i].dataset})
@@ -96,24 +96,24 @@ void publish(const std::string& part, const std::string& path) {
   sync_directory_of(path);
 }
 
-void write_together(const RankGroup& team, const std::string& path, const TableInfo& info,
-                    std::span<const Section> sections, std::uint64_t total_rows, const Block& block) {
+void write_collective(const RankGroup& group, const std::string& path, const TableInfo& info,
+                      std::span<const Section> sections, std::uint64_t total_rows, const Block& block) {
   const std::string part = path + ".part";
   std::uint64_t bytes = (std::uint64_t{1} << 16) + 2 * (info.title.size() + info.spec_text.size());
   for (const Section& section : sections) bytes += total_rows * packed_size(section.fields);
-  check_blocks(team, info.slice, total_rows, block);
+  check_blocks(group, info.slice, total_rows, block);
   try {
-    team.together([&] {
-      if (team.rank() == 0) prepare(path, part, bytes);
+    group.run_collective([&] {
+      if (group.rank() == 0) prepare(path, part, bytes);
     });
-    team.together([&] { see_same_file(part, team.rank()); });
-    const auto checksums = write_part(team, part, info, sections, total_rows, block);
-    read_back(team, part, sections, total_rows, block, checksums);
-    team.together([&] {
-      if (team.rank() == 0) publish(part, path);
+    group.run_collective([&] { see_same_file(part, group.rank()); });
+    const auto checksums = write_part(group, part, info, sections, total_rows, block);
+    read_back(group, part, sections, total_rows, block, checksums);
+    group.run_collective([&] {
+      if (group.rank() == 0) publish(part, path);
     });
   } catch (const Error&) {
-    if (team.rank() == 0) ::unlink(part.c_str());
+    if (group.rank() == 0) ::unlink(part.c_str());
     throw;
   }
 }
@@ -123,10 +123,10 @@ void write_together(const RankGroup& team, const std::string& path, const TableI
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
                  std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block) {
   const Hdf5Session session;
-  const RankGroup team(comm);
+  const RankGroup group(comm);
   const std::array sections{Section{"results", columns}, Section{"timings", timing_fields()}};
   try {
-    write_together(team, path, info, sections, total_rows, {first, block});
+    write_collective(group, path, info, sections, total_rows, {first, block});
   } catch (const OutputError& error) {
     throw OutputError(fmt::format("cannot write {}: {}", path, error.what()));
   } catch (const IoError& error) {

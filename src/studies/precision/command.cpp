@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <vector>
 
 #include "base/exit_codes.hpp"
+#include "engine/distribute/distribute.hpp"
 #include "engine/report/progress.hpp"
 #include "engine/report/provenance.hpp"
 #include "engine/run.hpp"
@@ -42,58 +43,68 @@ PrecisionSpec study_of(const Sweep& sweep, const PrecisionOptions& options) {
   return study;
 }
 
-std::vector<PrecisionRow> gathered(const World& world, const std::vector<PrecisionRow>& mine) {
-  std::string bytes(mine.size() * sizeof(PrecisionRow), '\0');
-  if (!mine.empty()) std::memcpy(bytes.data(), mine.data(), bytes.size());
-  std::vector<PrecisionRow> all;
-  for (const std::string& each : world.gather(bytes)) {
-    const std::size_t before = all.size();
-    all.resize(before + each.size() / sizeof(PrecisionRow));
-    if (!each.empty()) std::memcpy(all.data() + before, each.data(), each.size());
+/// One scene to measure. Its answer are its rows; none if it could not be measured.
+struct SceneTask {
+  std::uint64_t scene = 0;
+  double predicted_seconds = 0.0;
+  Parameters parameters;
+};
+using SceneJob = Job<SceneTask, std::vector<PrecisionRow>>;
+
+std::vector<PrecisionRow> measure_scene(const SceneTask& task, const PrecisionSpec& study, int rank,
+                                        std::int64_t ranks_per_core) {
+  try {
+    std::vector<PrecisionRow> rows = measure_precision(task.parameters, task.scene, study);
+    for (PrecisionRow& row : rows) {
+      row.rank = rank;
+      row.ranks_per_core = ranks_per_core;
+    }
+    return rows;
+  } catch (...) {
+    return {};
   }
-  std::ranges::stable_sort(all, {}, &PrecisionRow::scene);
-  return all;
 }
 
-/// All scenes on all ranks, each scene on one; the rows on the manager.
+/// Predicted time of each scene, s.
+std::vector<double> predicted_times(const Sweep& sweep, const PrecisionSpec& study) {
+  std::vector<double> seconds;
+  for (std::uint64_t scene = 0; scene < sweep.size(); ++scene)
+    seconds.push_back(predicted_precision_time(sweep.at(scene), study));
+  return seconds;
+}
+
+Schedule schedule_of(const std::vector<double>& predicted, int ranks) {
+  std::vector<std::uint64_t> scenes(predicted.size());
+  std::iota(scenes.begin(), scenes.end(), std::uint64_t{0});
+  return Schedule(std::move(scenes), predicted, ranks);
+}
+
+/// Measures all scenes on all ranks, each scene on one rank. Returns the rows, in order of scenes, on the manager;
+/// `complete` if every scene was measured.
 std::vector<PrecisionRow> measure(const World& world, const Sweep& sweep, const PrecisionSpec& study, bool quiet,
                                   bool& complete) {
   const auto ranks_per_core = static_cast<std::int64_t>(std::ceil(world.crowding()));
   const StopRequest stop;
+  std::vector<double> predicted;  // on the manager
   std::optional<Schedule> schedule;
   std::optional<Progress> progress;
   if (world.is_manager()) {
-    std::vector<std::uint64_t> scenes;
-    std::vector<double> seconds;
-    for (std::uint64_t scene = 0; scene < sweep.size(); ++scene) {
-      scenes.push_back(scene);
-      seconds.push_back(predicted_precision_time(sweep.at(scene), study));
-    }
-    schedule.emplace(std::move(scenes), std::move(seconds), world.size());
+    predicted = predicted_times(sweep, study);
+    schedule.emplace(schedule_of(predicted, world.size()));
     progress.emplace(sweep.size(), schedule->total_seconds(), world.size(), quiet);
   }
-  std::vector<PrecisionRow> mine;
+  std::vector<PrecisionRow> all;
   std::set<std::uint64_t> done;
-  Job job;
-  job.tuple = [&](std::uint64_t scene) { return sweep.at(scene); };
-  job.compute = [&](const Tuple& tuple, const std::function<bool()>&) {
-    Row row{.index = tuple.index, .parameters = tuple.parameters, .result = {}, .timing = {}};
-    try {
-      for (PrecisionRow& each : measure_precision(tuple.parameters, tuple.index, study)) {
-        each.rank = world.rank();
-        each.ranks_per_core = ranks_per_core;
-        mine.push_back(each);
-      }
-      row.result.status = Status::ok;
-    } catch (...) {
-      row.result.status = Status::failed;
-    }
-    row.timing.predicted_time = predicted_precision_time(tuple.parameters, study);
-    return row;
+  SceneJob job;
+  job.task = [&](std::uint64_t scene, double seconds) { return SceneTask{scene, seconds, sweep.at(scene)}; };
+  job.compute = [&, rank = world.rank()](const SceneTask& task, const std::function<bool()>&) {
+    return std::optional(measure_scene(task, study, rank, ranks_per_core));
   };
-  job.finished = [&](const Row& row) {
-    if (row.result.status == Status::ok) done.insert(row.index);
-    progress->add(1, row.timing.predicted_time);
+  job.finished = [&](const std::vector<PrecisionRow>& rows) {
+    if (rows.empty()) return;
+    all.insert(all.end(), rows.begin(), rows.end());
+    done.insert(rows.front().scene);
+    progress->add(1, predicted[rows.front().scene]);
   };
   job.stop = [&] {
     if (progress) progress->add(0, 0.0);
@@ -102,7 +113,8 @@ std::vector<PrecisionRow> measure(const World& world, const Sweep& sweep, const 
   distribute(world, schedule ? &*schedule : nullptr, job);
   if (progress) progress->finish();
   complete = done.size() == sweep.size();
-  return gathered(world, mine);
+  std::ranges::stable_sort(all, {}, &PrecisionRow::scene);
+  return all;
 }
 
 /// The parameters that a table of the sweep has.

@@ -12,7 +12,8 @@
 #include <set>
 #include <thread>
 
-#include "mpi/world.hpp"
+#include "engine/compute_row.hpp"
+#include "engine/distribute/distribute.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -46,19 +47,20 @@ bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == s
 
 /// A job that counts. `pause` is how long computing a row takes.
 struct PreparedRun {
-  explicit PreparedRun(std::uint64_t rows, double predicted_seconds = 1e-4) {
+  explicit PreparedRun(std::uint64_t rows, double predicted_seconds = 1e-4) : predicted(predicted_seconds) {
     std::vector<std::uint64_t> all(rows);
     for (std::uint64_t row = 0; row < rows; ++row) all[row] = row;
     schedule.emplace(all, std::vector<double>(rows, predicted_seconds), world().size());
-    job.tuple = tuple;
-    job.compute = [this](const Tuple& t, const auto&) {
+    job.task = [](std::uint64_t row, double seconds) { return SweepTask{row, seconds, tuple(row)}; };
+    job.compute = [this](const SweepTask& t, const auto&) {
       ++computed;
       std::this_thread::sleep_for(pause(t.index));
       Row row;
       row.index = t.index;
       row.parameters = t.parameters;
       row.result.eps_eff = t.parameters.s0;
-      row.timing.rank = world().rank();
+      row.timing.rank = rank;
+      row.timing.predicted_time = t.predicted_seconds;
       return row;
     };
     job.finished = [this](const Row& row) {
@@ -67,7 +69,8 @@ struct PreparedRun {
       ++rows_of[row.timing.rank];
       intact = intact && same_bits(row.parameters.v0, tuple(row.index).v0) &&
                same_bits(row.parameters.tc, tuple(row.index).tc) && same_bits(row.parameters.s0, tuple(row.index).s0) &&
-               same_bits(row.result.eps_eff, tuple(row.index).s0) && row.parameters.N == tuple(row.index).N;
+               same_bits(row.result.eps_eff, tuple(row.index).s0) && same_bits(row.timing.predicted_time, predicted) &&
+               row.parameters.N == tuple(row.index).N;
     };
     job.stop = [] { return false; };
   }
@@ -90,7 +93,9 @@ struct PreparedRun {
 
   std::function<microseconds(std::uint64_t)> pause = [](std::uint64_t) { return microseconds(0); };
   std::optional<Schedule> schedule;
-  Job job;
+  Job<SweepTask, Row> job;
+  const double predicted;
+  const int rank = world().rank();
   std::atomic<long> computed = 0;
   long computed_at_first = 0;
   std::map<std::uint64_t, int> came;
@@ -145,13 +150,6 @@ TEST(Distribute, DedicatedManagerComputesNothingUnlessAlone) {
 TEST(Distribute, LongRowsAreSpreadEvenly) {
   // All predicted to take minutes: no rank may get a second one while another has none.
   PreparedRun trial(2 * static_cast<std::uint64_t>(world().size()), 100.0);
-  trial.job.tuple = [](std::uint64_t row) {
-    Parameters p = tuple(row);
-    p.N = 1000;
-    p.integrator = Integrator::verlet;
-    p.steps_per_tc = 1e6;
-    return p;
-  };
   trial.pause = [](std::uint64_t) { return std::chrono::milliseconds(150); };
   trial.run();
   for (const auto& [rank, rows] : trial.rows_of) EXPECT_EQ(rows, 2) << "rank " << rank;
@@ -207,7 +205,7 @@ TEST(Distribute, AnyRankCanAskForTheStop) {
 TEST(Distribute, ARankWithNothingToDoCanAskForTheStop) {
   if (world().size() == 1) return;
   PreparedRun trial(1);  // the manager gets it
-  trial.job.compute = [](const Tuple&, const auto& to_end) -> std::optional<Row> {
+  trial.job.compute = [](const SweepTask&, const auto& to_end) -> std::optional<Row> {
     while (!to_end()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return std::nullopt;
   };
@@ -224,6 +222,28 @@ TEST(Distribute, CanBeDoneAgainAndAgain) {
     PreparedRun trial(10);
     trial.run();
     trial.expect_all(10);
+  }
+}
+
+/// Answers of any length: as many numbers as the task's index.
+TEST(Distribute, AnswersMayBeVectors) {
+  struct Countdown {
+    std::uint64_t from = 0;
+  };
+  Job<Countdown, std::vector<std::uint64_t>> job;
+  job.task = [](std::uint64_t index, double) { return Countdown{index}; };
+  job.compute = [](const Countdown& task, const auto&) {
+    std::vector<std::uint64_t> numbers;
+    for (std::uint64_t k = task.from; k > 0; --k) numbers.push_back(k);
+    return std::optional(numbers);
+  };
+  std::set<std::vector<std::uint64_t>> came;
+  job.finished = [&](const std::vector<std::uint64_t>& numbers) { came.insert(numbers); };
+  job.stop = [] { return false; };
+  Schedule schedule({0, 1, 2, 3}, {1.0, 1.0, 1.0, 1.0}, world().size());
+  distribute(world(), &schedule, job);
+  if (world().is_manager()) {
+    EXPECT_EQ(came, (std::set<std::vector<std::uint64_t>>{{}, {1}, {2, 1}, {3, 2, 1}}));
   }
 }
 

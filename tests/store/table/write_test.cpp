@@ -286,10 +286,10 @@ TEST_F(TableTest, ReadingBackSeesAFlippedBitAndACutFile) {
   const auto [first, count] = block_of(Deal::even, 100, rank, size);
   const std::vector<Row> block = samples::rows(first, count);
   const Hdf5Session session;
-  const RankGroup team(MPI_COMM_WORLD);
+  const RankGroup group(MPI_COMM_WORLD);
   if (rank == 0) put_bytes(path, "");
   barrier();
-  const auto written = write_part(team, path, info(), sections, 100, {first, block});
+  const auto written = write_part(group, path, info(), sections, 100, {first, block});
   EXPECT_EQ(checksums_in_part(path, sections, 100, first, count), written);
   barrier();
   if (rank != 0) return;

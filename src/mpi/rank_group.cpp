@@ -1,21 +1,13 @@
-#include "mpi/collective.hpp"
+#include "mpi/rank_group.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <thread>
+#include <utility>
 
 namespace sigmasweep {
-
-void check_mpi(int status, const char* what) {
-  if (status == MPI_SUCCESS) return;
-  std::array<char, MPI_MAX_ERROR_STRING> text{};
-  int length = 0;
-  if (MPI_Error_string(status, text.data(), &length) != MPI_SUCCESS) length = 0;
-  throw IoError(fmt::format("{}: {}", what, std::string_view(text.data(), static_cast<std::size_t>(length))));
-}
 
 RankGroup::RankGroup(MPI_Comm comm) {
   check_mpi(MPI_Comm_dup(comm, &comm_), "cannot copy the communicator");
@@ -38,28 +30,14 @@ std::uint64_t RankGroup::max(std::uint64_t mine) const {
   return all;
 }
 
-std::uint64_t RankGroup::broadcast(std::uint64_t number) const {
-  check_mpi(MPI_Bcast(&number, 1, MPI_UINT64_T, 0, comm_), "cannot broadcast");
-  return number;
-}
-
-std::string RankGroup::broadcast(std::string text) const { return broadcast_from(0, std::move(text)); }
-
-std::string RankGroup::broadcast_from(int root, std::string text) const {
-  std::uint64_t size = text.size();
-  check_mpi(MPI_Bcast(&size, 1, MPI_UINT64_T, root, comm_), "cannot broadcast");
-  text.resize(size);
-  check_mpi(MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, root, comm_), "cannot broadcast");
-  return text;
-}
-
-/// Until all ranks have come. A rank that failed does not wait for ever: if it left a collective call early, the others
-/// are still in there. To unwind would not help, as closing a file that is open together waits for them too; so here,
-/// and nowhere else in the library, the error is printed and all ranks are ended.
+/// Waits until all ranks have reached this point. A rank that failed does not wait for ever: if it left a collective
+/// call early, the others are still in that call. Unwinding would not help, because closing a file that the ranks have
+/// open together waits for them too. So here, and nowhere else in the libraries, the error is printed and all ranks are
+/// ended.
 void RankGroup::wait_for_all(MPI_Request request, int exit_code, const std::string& message) const {
   if (exit_code == 0) return check_mpi(MPI_Wait(&request, MPI_STATUS_IGNORE), "cannot agree");
-  constexpr auto budget = std::chrono::seconds(30);
-  const auto end = std::chrono::steady_clock::now() + budget;
+  constexpr auto patience = std::chrono::seconds(30);
+  const auto end = std::chrono::steady_clock::now() + patience;
   for (int done = 0;;) {
     check_mpi(MPI_Test(&request, &done, MPI_STATUS_IGNORE), "cannot agree");
     if (done) return;
@@ -78,8 +56,8 @@ void RankGroup::agree(int exit_code, std::string message) const {
   check_mpi(MPI_Iallreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, comm_, &request), "cannot agree");
   wait_for_all(request, exit_code, message);
   if (failed == size_) return;
-  check_mpi(MPI_Bcast(&exit_code, 1, MPI_INT, failed, comm_), "cannot agree");
-  message = broadcast_from(failed, std::move(message));
+  exit_code = sigmasweep::broadcast(comm_, exit_code, failed);
+  message = sigmasweep::broadcast(comm_, std::move(message), failed);
   if (exit_code == OutputError("").exit_code()) throw OutputError(message);
   throw IoError(message);
 }

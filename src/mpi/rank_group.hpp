@@ -6,11 +6,13 @@
 #include <exception>
 #include <string>
 
+#include "mpi/broadcast.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {
 
-/// The ranks that write a table together, on a communicator of their own. Every member function is collective.
+/// The ranks that do a piece of work together, such as writing a table, on a communicator of their own. Every member
+/// function is collective.
 class RankGroup {
  public:
   explicit RankGroup(MPI_Comm comm);
@@ -23,14 +25,15 @@ class RankGroup {
 
   std::uint64_t sum(std::uint64_t mine) const;
   std::uint64_t max(std::uint64_t mine) const;
-  /// Rank 0's text, on every rank.
-  std::string broadcast(std::string text) const;
-  std::uint64_t broadcast(std::uint64_t number) const;
+  /// Rank 0's number or text, on every rank.
+  std::uint64_t broadcast(std::uint64_t number) const { return sigmasweep::broadcast(comm_, number); }
+  std::string broadcast(std::string text) const { return sigmasweep::broadcast(comm_, std::move(text)); }
 
-  /// Does `step` on every rank, and throws on all if it threw on any: the error of the lowest such rank. If it threw on
-  /// some and others are not through with it half a minute later, all ranks are ended.
+  /// Runs `step` on every rank. If it throws on any rank, every rank throws the error of the lowest such rank, as
+  /// OutputError or IoError. If some ranks failed and others have not finished half a minute later, all ranks are
+  /// ended.
   template <class Step>
-  void together(Step&& step) const {
+  void run_collective(Step&& step) const {
     int exit_code = 0;
     std::string message;
     try {
@@ -48,12 +51,8 @@ class RankGroup {
  private:
   void agree(int exit_code, std::string message) const;
   void wait_for_all(MPI_Request request, int exit_code, const std::string& message) const;
-  std::string broadcast_from(int root, std::string text) const;
   MPI_Comm comm_ = MPI_COMM_NULL;
   int rank_ = 0, size_ = 1;
 };
-
-/// Throws IoError with MPI's own words unless `status` is MPI_SUCCESS.
-void check_mpi(int status, const char* what);
 
 }  // namespace sigmasweep
