@@ -1,16 +1,19 @@
 #include "cli/registry.hpp"
 
 /// The commands in the order of the program's help. commands/NAME.cpp defines NAME_command().
+// clang-format off
 #define SIGMASWEEP_COMMANDS(X) \
-  X(run)                       \
-  X(merge)                     \
-  X(precision)                 \
-  X(stability)                 \
-  X(plan)                      \
-  X(one)                       \
-  X(plot)                      \
-  X(show)                      \
-  X(export)
+  X(run) \
+  X(merge) \
+  X(precision) \
+  X(stability) \
+  X(plan) \
+  X(one) \
+  X(plot) \
+  X(show) \
+  X(export) \
+  /* a line for each */
+// clang-format on
 
 namespace sigmasweep {
 

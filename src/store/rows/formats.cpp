@@ -4,9 +4,12 @@
 #include <array>
 
 /// The formats of rows; the first one is the default. A file of this folder defines NAME_format().
+// clang-format off
 #define SIGMASWEEP_ROW_FORMATS(X) \
-  X(csv)                          \
-  X(json)
+  X(csv) \
+  X(json) \
+  /* a line for each */
+// clang-format on
 
 namespace sigmasweep {
 
