@@ -138,6 +138,13 @@ class TableCommands(unittest.TestCase):
         self.assertEqual((self.path / "also.json").read_bytes(), self.csv_bytes())
         self.assertEqual(self.sigmasweep("export", "table.h5", "--format", "xls").returncode, 64)
 
+    def test_export_json_lines(self):
+        text = self.ok("export", "table.h5", "--format", "jsonl")
+        self.equals_the_table([json.loads(line) for line in text.splitlines()])
+        self.assertTrue(text.endswith("}\n"))
+        self.ok("export", "table.h5", "-o", "table.jsonl")
+        self.assertEqual((self.path / "table.jsonl").read_text(), text)
+
     def csv_bytes(self):
         self.ok("export", "table.h5", "-o", "bytes.txt")  # no format's ending: CSV
         return (self.path / "bytes.txt").read_bytes()

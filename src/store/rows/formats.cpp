@@ -8,6 +8,7 @@
 #define SIGMASWEEP_ROW_FORMATS(X) \
   X(csv) \
   X(json) \
+  X(jsonl) \
   /* a line for each */
 // clang-format on
 
