@@ -34,17 +34,37 @@ install_packages() {
   "${apt[@]}" install -y --no-install-recommends $missing >&2 || die 69 "apt-get could not install the missing packages"
 }
 
-# Configures (once) and builds the given target in build/release.
+# Shows on standard error how the build that writes to standard input goes on, and keeps all that it says in the file
+# $1: lines "[3/177] Building CXX object src/solve/CMakeFiles/sigmasweep_solve.dir/simulate.cpp.o" of ninja become
+# "3 of 177: src/solve/simulate.cpp", one line every ten seconds.
+show_build() {
+  local line shown=$SECONDS
+  while IFS= read -r line; do
+    printf '%s\n' "$line" >> "$1"
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ Building\ C(XX)?\ object\ (.*)\.o$ ]] && ((SECONDS - shown >= 10)) || continue
+    shown=$SECONDS
+    line=${BASH_REMATCH[4]/CMakeFiles\/*.dir\//}
+    echo "$0: compiled ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}: $line" >&2
+  done
+}
+
+# Configures (once) and builds the given target in build/release. On a terminal one line shows what is being compiled.
 build_release() {
   mkdir -p "$build" 2> /dev/null && [ -w "$build" ] || die 73 "cannot write to $build"
-  local log=$build/build.log
-  [ -e "$build/build.ninja" ] || rm -f "$build/CMakeCache.txt"  # what a failed attempt left
-  if [ ! -e "$build/build.ninja" ] || [ -n "${SIGMASWEEP_CMAKE_OPTIONS:-}" ]; then
+  local log=$build/build.log first=
+  [ -e "$build/build.ninja" ] || { rm -f "$build/CMakeCache.txt"; first=', some minutes the first time'; }
+  if [ -n "$first" ] || [ -n "${SIGMASWEEP_CMAKE_OPTIONS:-}" ]; then
     (cd -- "$root" && cmake --preset release ${SIGMASWEEP_CMAKE_OPTIONS:-}) > "$log" 2>&1 ||
       { cat "$log" >&2; die 70 "cmake could not configure the build"; }
   fi
-  echo "$0: building in $build" >&2
-  cmake --build "$build" --target "$1" > "$log" 2>&1 || { cat "$log" >&2; die 70 "the build failed"; }
+  echo "$0: building in $build$first" >&2
+  rm -f "$log"
+  if [ -t 2 ] && [ "${TERM:-dumb}" != dumb ]; then
+    NINJA_STATUS='[%f of %t, %e s] ' cmake --build "$build" --target "$1" >&2 || die 70 "the build failed"
+  else
+    NINJA_STATUS='[%f/%t] ' cmake --build "$build" --target "$1" 2>&1 | show_build "$log"
+    [ "${PIPESTATUS[0]}" -eq 0 ] || { cat "$log" >&2; die 70 "the build failed"; }
+  fi
 }
 
 # mpirun refuses root unless it is told twice.

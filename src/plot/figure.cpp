@@ -66,13 +66,13 @@ std::string fit_all(std::vector<Curve>& curves, const FitSpec& spec) {
   return note;
 }
 
-double to_scale(const Axis& axis, double value) { return axis.log ? std::log10(value) : value; }
-double from_scale(const Axis& axis, double value) { return axis.log ? std::pow(10.0, value) : value; }
+double to_scale(const PlotAxis& axis, double value) { return axis.log ? std::log10(value) : value; }
+double from_scale(const PlotAxis& axis, double value) { return axis.log ? std::pow(10.0, value) : value; }
 
 /// The range that an axis must have, on its scale.
 class AxisRange {
  public:
-  explicit AxisRange(Axis& axis) : axis_(axis) {}
+  explicit AxisRange(PlotAxis& axis) : axis_(axis) {}
   void hold(double value) {
     if (!axis_.log || value > 0.0) range_.take(to_scale(axis_, value));
   }
@@ -85,7 +85,7 @@ class AxisRange {
   }
 
  private:
-  Axis& axis_;
+  PlotAxis& axis_;
   Range range_;
 };
 
@@ -130,12 +130,12 @@ std::string error_of(const PlotSpec& spec) {
 
 }  // namespace
 
-double fraction(const Axis& axis, double value) {
+double fraction(const PlotAxis& axis, double value) {
   const double from = to_scale(axis, axis.from), to = to_scale(axis, axis.to);
   return (to_scale(axis, value) - from) / (to - from);
 }
 
-double value_at(const Axis& axis, double fraction) {
+double value_at(const PlotAxis& axis, double fraction) {
   const double from = to_scale(axis, axis.from), to = to_scale(axis, axis.to);
   return from_scale(axis, from + fraction * (to - from));
 }

@@ -32,7 +32,7 @@ struct Guide {
   std::vector<Point> path;  ///< from left to right; two points: straight on the picture
 };
 
-struct Axis {
+struct PlotAxis {
   std::string label;  ///< enhanced text
   bool log = false;
   double from = 0.0, to = 1.0;  ///< a little more than the data
@@ -41,15 +41,15 @@ struct Axis {
 struct Figure {
   std::string title;  ///< as the user wrote it
   std::string note;   ///< what is not drawn, what is averaged; enhanced text
-  Axis x, y;
+  PlotAxis x, y;
   std::vector<Curve> curves;
   std::vector<Guide> guides;
 };
 
 /// Where on the axis `value` is: 0 at its beginning, 1 at its end.
-double fraction(const Axis& axis, double value);
+double fraction(const PlotAxis& axis, double value);
 /// The value there.
-double value_at(const Axis& axis, double fraction);
+double value_at(const PlotAxis& axis, double fraction);
 
 /// The rows that can be drawn, sorted into curves in the order in which they first appear.
 /// Throws UsageError for a field that is not there or is not a number, and for a bad expression.

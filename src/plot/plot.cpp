@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plot/gnuplot.hpp"
+#include "plot/gnuplot/script.hpp"
 
 namespace sigmasweep {
 

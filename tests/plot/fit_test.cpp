@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plot/figure.hpp"
-#include "plot/gnuplot.hpp"
+#include "plot/gnuplot/script.hpp"
 #include "plot/labels.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/plot/plot.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "plot/figure.hpp"
-#include "plot/gnuplot.hpp"
+#include "plot/gnuplot/script.hpp"
 #include "plot/labels.hpp"
 #include "sigmasweep/base/errors.hpp"
 

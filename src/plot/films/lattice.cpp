@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "assembly/plate_motion.hpp"
-#include "plot/canvas.hpp"
-#include "plot/gnuplot.hpp"
+#include "plot/films/canvas.hpp"
+#include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"

@@ -9,9 +9,9 @@
 #include <map>
 #include <vector>
 
-#include "plot/canvas.hpp"
+#include "plot/films/canvas.hpp"
 #include "plot/films/velocity_field.hpp"
-#include "plot/gnuplot.hpp"
+#include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "assembly/plate_motion.hpp"
-#include "plot/gnuplot.hpp"
+#include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"
 #include "plot/thin.hpp"
 #include "sigmasweep/base/errors.hpp"

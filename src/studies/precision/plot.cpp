@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "plot/gnuplot.hpp"
+#include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"
 #include "plot/range.hpp"
 #include "sigmasweep/base/errors.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "plot/gnuplot.hpp"
+#include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"
 #include "plot/range.hpp"
 #include "sigmasweep/base/errors.hpp"

@@ -1,3 +1,5 @@
+#include "plot/gnuplot/script.hpp"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -7,9 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plot/gnuplot.hpp"
 #include "plot/labels.hpp"
-#include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::plot {
 namespace {
@@ -115,7 +115,7 @@ std::string key_place(const Figure& figure, std::size_t entries, std::size_t let
 }
 
 /// Labelled places on a logarithmic axis of less than two decades, where powers of ten alone would be one or none.
-std::string short_log_tics(const Axis& axis) {
+std::string short_log_tics(const PlotAxis& axis) {
   std::vector<double> places;
   const auto add = [&](double place) {
     if (place >= axis.from && place <= axis.to) places.push_back(place);
@@ -135,7 +135,7 @@ std::string short_log_tics(const Axis& axis) {
   return list;
 }
 
-std::string axis_commands(char name, const Axis& axis) {
+std::string axis_commands(char name, const PlotAxis& axis) {
   std::string out = fmt::format("set {}label {}\n", name, quoted(axis.label));
   if (axis.log) {
     out += fmt::format("set logscale {}\n", name);
@@ -218,15 +218,6 @@ class Drawing {
 };
 
 }  // namespace
-
-Form form_of(const std::string& path) {
-  const auto dot = path.rfind('.');
-  const std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
-  if (ending == "svg") return Form::svg;
-  if (ending == "png") return Form::png;
-  if (ending == "pdf") return Form::pdf;
-  throw UsageError(fmt::format("'{}': a plot's name ends in .svg, .png or .pdf", path));
-}
 
 std::string gnuplot_script(const Figure& figure, Form form) {
   std::size_t entries = 0, letters = 0;

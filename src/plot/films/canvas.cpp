@@ -1,10 +1,10 @@
-#include "plot/canvas.hpp"
+#include "plot/films/canvas.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "plot/gnuplot.hpp"
+#include "plot/gnuplot/gnuplot.hpp"
 
 namespace sigmasweep::plot {
 namespace {

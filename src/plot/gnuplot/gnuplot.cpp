@@ -1,4 +1,4 @@
-#include "plot/gnuplot.hpp"
+#include "plot/gnuplot/gnuplot.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -92,6 +92,15 @@ std::string complaint(std::FILE* err) {
 }
 
 }  // namespace
+
+Form form_of(const std::string& path) {
+  const auto dot = path.rfind('.');
+  const std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
+  if (ending == "svg") return Form::svg;
+  if (ending == "png") return Form::png;
+  if (ending == "pdf") return Form::pdf;
+  throw UsageError(fmt::format("'{}': a plot's name ends in .svg, .png or .pdf", path));
+}
 
 std::string panels_terminal(Form form, double width, double height) {
   constexpr double png = 1.6, centimetre = 50.0;

@@ -3,18 +3,14 @@
 #include <string>
 #include <string_view>
 
-#include "plot/figure.hpp"
-
-/// How gnuplot draws a figure.
+/// Gnuplot as a process, and the beginnings of its commands.
 namespace sigmasweep::plot {
 
+/// The file format of a picture.
 enum class Form { svg, png, pdf };
 
 /// The form that the ending of `path` asks for. Throws UsageError.
 Form form_of(const std::string& path);
-
-/// What gnuplot is told. Text from users goes in single quotes, where it is never more than text.
-std::string gnuplot_script(const Figure& figure, Form form);
 
 /// Runs gnuplot, without a shell, on `script`; its standard output becomes `path`, complete or not at all.
 /// Throws OutputError.
