@@ -2,7 +2,7 @@
 
 #include "solve/exact/linear/column.hpp"
 #include "solve/exact/power_law/column.hpp"
-#include "solve/fixed_step/vibrated_column.hpp"
+#include "solve/fixed_step/column/vibrated.hpp"
 #include "solve/observer/samples.hpp"
 #include "solve/observer/vibration_statistics.hpp"
 #include "solve/vibrated.hpp"

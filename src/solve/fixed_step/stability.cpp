@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "sigmasweep/model/geometry.hpp"
-#include "solve/fixed_step/lattice_modes.hpp"
+#include "solve/fixed_step/lattice/modes.hpp"
 
 namespace sigmasweep {
 namespace {

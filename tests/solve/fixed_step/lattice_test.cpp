@@ -11,7 +11,7 @@
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/fixed_step/collision.hpp"
-#include "solve/fixed_step/lattice.hpp"
+#include "solve/fixed_step/lattice/collision.hpp"
 #include "solve/observer/lattice_samples.hpp"
 
 /// Lattices of discs by the methods of fixed step, against an independent program (classical Runge-Kutta in the room's

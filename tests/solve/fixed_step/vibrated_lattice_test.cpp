@@ -7,8 +7,8 @@
 
 #include "assembly/lattice.hpp"
 #include "sigmasweep/model/names.hpp"
-#include "solve/fixed_step/vibrated_column.hpp"
-#include "solve/fixed_step/vibrated_lattice.hpp"
+#include "solve/fixed_step/column/vibrated.hpp"
+#include "solve/fixed_step/lattice/vibrated.hpp"
 #include "solve/observer/lattice_statistics.hpp"
 #include "solve/observer/samples.hpp"
 #include "solve/observer/vibration_statistics.hpp"

@@ -4,7 +4,7 @@
 
 #include "solve/exact/lattice/events.hpp"
 #include "solve/exact/lattice/vibrated.hpp"
-#include "solve/fixed_step/vibrated_lattice.hpp"
+#include "solve/fixed_step/lattice/vibrated.hpp"
 #include "solve/observer/lattice_samples.hpp"
 #include "solve/observer/lattice_statistics.hpp"
 

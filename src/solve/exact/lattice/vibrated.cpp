@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "solve/fixed_step/vibrated_lattice.hpp"
+#include "solve/fixed_step/lattice/vibrated.hpp"
 #include "solve/observer/lattice_samples.hpp"
 #include "solve/observer/lattice_statistics.hpp"
 #include "solve/vibrated.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "solve/fixed_step/chain.hpp"
+#include "solve/fixed_step/column/chain.hpp"
 
 namespace sigmasweep {
 

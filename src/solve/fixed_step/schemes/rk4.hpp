@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solve/fixed_step/chain.hpp"
+#include "solve/fixed_step/column/chain.hpp"
 
 namespace sigmasweep {
 

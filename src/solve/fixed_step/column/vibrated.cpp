@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "assembly/energy_on_plate.hpp"
+#include "solve/fixed_step/column/vibrated.hpp"
 #include "solve/fixed_step/dispatch.hpp"
-#include "solve/fixed_step/vibrated_column.hpp"
 #include "solve/observer/samples.hpp"
 #include "solve/observer/vibration_statistics.hpp"
 

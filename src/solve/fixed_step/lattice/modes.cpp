@@ -1,4 +1,4 @@
-#include "solve/fixed_step/lattice_modes.hpp"
+#include "solve/fixed_step/lattice/modes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "solve/fixed_step/lattice.hpp"
+#include "solve/fixed_step/lattice/collision.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "assembly/lattice.hpp"
 #include "solve/fixed_step/dispatch.hpp"
-#include "solve/fixed_step/lattice_motion.hpp"
+#include "solve/fixed_step/lattice/system.hpp"
 #include "solve/observer/lattice_samples.hpp"
 
 namespace sigmasweep {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "assembly/ground.hpp"
-#include "solve/fixed_step/chain.hpp"
+#include "solve/fixed_step/column/chain.hpp"
 #include "solve/fixed_step/dispatch.hpp"
-#include "solve/fixed_step/lattice_contacts.hpp"
+#include "solve/fixed_step/lattice/contacts.hpp"
 
 namespace sigmasweep {
 

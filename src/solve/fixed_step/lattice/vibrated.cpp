@@ -1,9 +1,9 @@
-#include "solve/fixed_step/vibrated_lattice.hpp"
+#include "solve/fixed_step/lattice/vibrated.hpp"
 
 #include <cmath>
 
 #include "solve/fixed_step/dispatch.hpp"
-#include "solve/fixed_step/lattice_motion.hpp"
+#include "solve/fixed_step/lattice/system.hpp"
 #include "solve/observer/lattice_statistics.hpp"
 
 namespace sigmasweep {
