@@ -108,11 +108,6 @@ struct LatticeOptions {
 template <class Real>
 LatticeOutcome<Real> lattice_collision(const Lattice<Real>& lattice, const LatticeOptions& options = {});
 
-/// Time step `dt`; integrator gear5, verlet or rk4, with neighbour lists. No notice is taken of where in a step a
-/// contact opens or closes. Status::ok; unstable, when energy comes out of nothing; event_limit.
-LatticeOutcome<double> fixed_step_lattice_collision(const Lattice<double>& lattice, Integrator integrator, double dt,
-                                                    const LatticeOptions& options = {});
-
 /// The tuple's collision with an error bar.
 SimulationResult simulate_lattice(const Parameters& parameters, ComputeBudget* budget = nullptr);
 

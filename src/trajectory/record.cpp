@@ -11,6 +11,7 @@
 #include "solve/exact/linear/column.hpp"
 #include "solve/exact/power_law/column.hpp"
 #include "solve/fixed_step/collision.hpp"
+#include "solve/fixed_step/column/observed_collision.hpp"
 #include "solve/observer/samples.hpp"
 #include "trajectory/record_lattice.hpp"
 

@@ -7,6 +7,7 @@
 #include "assembly/plate_motion.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "solve/fixed_step/collision.hpp"
+#include "solve/fixed_step/lattice/observed_collision.hpp"
 #include "solve/observer/lattice_samples.hpp"
 
 namespace sigmasweep {

@@ -15,7 +15,7 @@
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
-#include "solve/fixed_step/collision.hpp"
+#include "solve/fixed_step/column/collision.hpp"
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/fixed_step/lattice/collision.hpp"
 
 namespace {
 

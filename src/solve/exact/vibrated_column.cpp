@@ -24,7 +24,7 @@ Outcome<double> follow(const Parameters& p, const Column<double>& column, const 
                        Watcher& watcher) {
   const Plate plate = Plate::of(p, vibration_units(p));
   if (p.integrator != Integrator::exact)
-    return follow_by_fixed_steps(column, plate, p.integrator, 1.0 / p.steps_per_tc, watcher, options.budget);
+    return fixed_step_vibrated_column(column, plate, p.integrator, 1.0 / p.steps_per_tc, watcher, options.budget);
   if (!column.exponents.linear()) {
     const NonlinearOptions nonlinear{
         .accuracy = 1e-12 * plate.A0 * plate.omega,  // in units of the plate's speed, not of v0

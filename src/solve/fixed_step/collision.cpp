@@ -1,10 +1,13 @@
+#include "solve/fixed_step/collision.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "assembly/lattice.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/solve/simulate.hpp"
-#include "solve/fixed_step/collision.hpp"
+#include "solve/fixed_step/column/collision.hpp"
+#include "solve/fixed_step/lattice/collision.hpp"
 #include "solve/fixed_step/stability.hpp"
 #include "solve/to_si.hpp"
 
@@ -20,16 +23,16 @@ constexpr double margin = 1.2, least_factor = 1.5, max_factor = 16.0;
 
 /// The collision in steps of tc/steps_per_tc, without an error. At most `work`, beads times steps; 0: some minutes.
 SimulationResult stepped(const Parameters& p, double work, ComputeBudget* budget) {
-  const double dt = 1.0 / p.steps_per_tc, settle = 1e-3 * p.tolerance;
+  const double dt = 1.0 / p.steps_per_tc;
+  const RunLimits limits{
+      .settle = 1e-3 * p.tolerance, .work_limit = static_cast<std::uint64_t>(work), .budget = budget};
   if (is_lattice(p)) {
     const auto lattice = reduced_lattice<double>(p);
-    const LatticeOptions options{.settle = settle, .work_limit = static_cast<std::uint64_t>(work), .budget = budget};
-    const auto outcome = fixed_step_lattice_collision(lattice, p.integrator, dt, options);
+    const auto outcome = fixed_step_lattice_collision(lattice, p.integrator, dt, limits);
     return in_si_with(energies(lattice, outcome.velocity), outcome, p);
   }
   const auto column = reduced_column<double>(p);
-  const FixedStepOptions options{.settle = settle, .step_limit = work / static_cast<double>(p.N), .budget = budget};
-  return to_si_result<double>(fixed_step_collision(column, p.integrator, dt, options), p, column.mass);
+  return to_si_result<double>(fixed_step_collision(column, p.integrator, dt, limits), p, column.mass);
 }
 
 /// With the distance to the exact result as the error.

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <stdexcept>
-
+#include "assembly/column.hpp"
 #include "contact/kernels.hpp"
-#include "solve/fixed_step/schemes/gear5.hpp"
-#include "solve/fixed_step/schemes/rk4.hpp"
-#include "solve/fixed_step/schemes/verlet.hpp"
+#include "solve/fixed_step/schemes/scheme_list.hpp"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -13,7 +10,8 @@
 
 namespace sigmasweep {
 
-/// High derivatives fade to denormal numbers in free flight, on which the processor is about twenty times slower.
+/// While it lives denormal numbers are zero. High derivatives fade to them in free flight, and with them the processor
+/// is about twenty times slower.
 class DenormalsAreZero {
 #if defined(__SSE2__)
  public:
@@ -39,29 +37,14 @@ auto with_law(const Column<double>& column, With&& with) {
   return with.template operator()<PowerForce, true>();
 }
 
-/// Calls with.operator()<Scheme>() for the integrator, denormal numbers being zero meanwhile. Throws
-/// std::invalid_argument where it has no fixed step.
+/// Calls with.operator()<Force, Uneven, Scheme>() for the column's law and the integrator, denormal numbers being zero
+/// meanwhile. Throws std::invalid_argument where the integrator has no fixed step.
 template <class With>
-auto with_scheme(Integrator integrator, With&& with) {
-  const DenormalsAreZero guard;
-  switch (integrator) {
-    case Integrator::gear5: return with.template operator()<Gear5>();
-    case Integrator::verlet: return with.template operator()<Verlet>();
-    case Integrator::rk4: return with.template operator()<RungeKutta4>();
-    case Integrator::exact: break;
-  }
-  throw std::invalid_argument("with_scheme: not an integrator of fixed step");
+auto with_law_and_scheme(const Column<double>& column, Integrator integrator, With&& with) {
+  return with_law(column, [&]<class Force, bool Uneven>() {
+    const DenormalsAreZero guard;
+    return with_scheme(integrator, [&]<class Scheme>() { return with.template operator()<Force, Uneven, Scheme>(); });
+  });
 }
-
-/// Overlap and rate within steps just done, `s` from 0 to 1 on the way: Hermite's cubic through overlaps and rates a
-/// step at both ends, and for the rates, which have a kink where a contact opens or closes, the straight line.
-struct BetweenSteps {
-  double x, u;
-  BetweenSteps(double s, double steps, double x0, double u0, double x1, double u1) {
-    const double r = 1.0 - s;
-    x = r * r * ((1.0 + 2.0 * s) * x0 + s * steps * u0) + s * s * ((1.0 + 2.0 * r) * x1 - r * steps * u1);
-    u = r * u0 + s * u1;
-  }
-};
 
 }  // namespace sigmasweep

@@ -5,22 +5,14 @@
 #include "assembly/column.hpp"
 #include "assembly/lattice.hpp"
 #include "sigmasweep/model/parameters.hpp"
+#include "solve/fixed_step/schemes/step_map.hpp"
 
 /// Whether a scheme of fixed step is stable, from the theory of linear maps: no collision is computed for it.
 namespace sigmasweep {
 
-/// A damped mode x'' + c x' + k x = 0. With time in steps k = (omega dt)^2, c = 2 zeta omega dt.
-struct Mode {
-  double k = 0.0, c = 0.0;
-  Mode in_steps(double dt) const { return {k * dt * dt, c * dt}; }
-};
-
-/// The factor that a step of `integrator` (gear5, verlet, rk4) multiplies the amplitude of a mode, in steps, with in
-/// the end: the spectral radius of the map that the step is. k, c >= 0. Error 1e-9.
+/// The factor by which a step of `integrator` multiplies the amplitude of a mode in the end, time in steps: the spectral
+/// radius of the step's map. k, c >= 0. Error 1e-9.
 double growth_per_step(Integrator integrator, const Mode& mode);
-
-/// That map, row by row: of (x, x') for rk4; of (x, x', x'') for verlet; of x^(n)/n!, n = 0 to 5, for gear5.
-std::vector<double> step_map(Integrator integrator, const Mode& mode);
 
 /// A column or a lattice while all of its contacts are closed.
 struct ClosedContacts {

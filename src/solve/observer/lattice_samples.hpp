@@ -44,7 +44,5 @@ class LatticeSamples {
 void observe_lattice(const Lattice<double>& lattice, LatticeSamples& samples);
 /// Of geometry vibrated_lattice, by its integrator, in vibration_units(); relative to the plate.
 void observe_vibrated_lattice(const Parameters& parameters, LatticeSamples& samples);
-void observe_fixed_step_lattice(const Lattice<double>& lattice, Integrator integrator, double dt,
-                                LatticeSamples& samples);
 
 }  // namespace sigmasweep

@@ -73,8 +73,6 @@ class VibratedSamples {
 /// The solvers' runs with a watcher. Times in the column's units; each says where its clock starts.
 /// At the first contact with the wall.
 void observe_exact(const Column<double>& column, Samples& samples);
-/// At the start. Step `dt`.
-void observe_fixed_step(const Column<double>& column, Integrator integrator, double dt, Samples& samples);
 /// At the start, in units of the gap over the speed; overlaps in gaps, rates in speeds. Where there is no gap, any
 /// length does as the unit.
 void observe_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples);

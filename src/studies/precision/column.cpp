@@ -7,7 +7,8 @@
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"
-#include "solve/fixed_step/collision.hpp"
+#include "solve/fixed_step/column/collision.hpp"
+#include "solve/fixed_step/scheme_info.hpp"
 #include "solve/reference/normal_modes.hpp"
 #include "studies/precision/subject.hpp"
 
@@ -72,11 +73,11 @@ PreparedRun fixed_step_trial(const Parameters& p, double phase) {
   column->gaps[0] += phase * dt * column->speed;
   return {[column, dt, integrator = p.integrator] {
     std::uint64_t steps = 0;
-    Outcome<double> outcome = fixed_step_collision(*column, integrator, dt, {.steps = &steps});
+    Outcome<double> outcome = fixed_step_collision(*column, integrator, dt, {}, {.steps = &steps});
     Measurement found{.failed = !is_success(outcome.status),
                       .value = energies<double>(outcome.velocity, column->speed, column->mass).eps_eff};
     found.velocity = std::move(outcome.velocity);
-    found.evaluations = static_cast<double>(steps) * (integrator == Integrator::rk4 ? 4.0 : 1.0);
+    found.evaluations = static_cast<double>(steps) * scheme_info(integrator).evaluations;
     return found;
   }};
 }

@@ -4,6 +4,7 @@
 #include "assembly/lattice.hpp"
 #include "base/random.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/fixed_step/lattice/collision.hpp"
 #include "studies/precision/subject.hpp"
 
 /// Lattices that fly into a wall.

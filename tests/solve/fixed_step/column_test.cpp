@@ -8,6 +8,7 @@
 
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
+#include "solve/fixed_step/column/collision.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -51,8 +52,8 @@ TEST_P(FixedStep, CrossingFreeFlightInOneGoIsTheSameAsSteppingThroughIt) {
   for (int i = 0; i < 10; ++i) {
     const Column<double> c = column(4, 0.8, sigma(random));
     const double dt = 1.0 / steps(random);
-    const auto skipped = fixed_step_collision(c, GetParam(), dt, {.skip_free_flight = true});
-    const auto stepped = fixed_step_collision(c, GetParam(), dt, {.skip_free_flight = false});
+    const auto skipped = fixed_step_collision(c, GetParam(), dt, {}, {.free_flight = FreeFlight::skipped});
+    const auto stepped = fixed_step_collision(c, GetParam(), dt, {}, {.free_flight = FreeFlight::stepped});
     ASSERT_EQ(skipped.status, Status::ok);
     EXPECT_EQ(skipped.contacts, stepped.contacts);
     EXPECT_EQ(skipped.end, stepped.end);
@@ -101,9 +102,9 @@ TEST_P(FixedStep, OverdampedBeadsThatStickTogetherComeToAnEnd) {
 }
 
 TEST_P(FixedStep, WideGapsNeedNoMoreStepsThanNarrowOnes) {
-  const auto wide = fixed_step_collision(column(3, 0.9, 1e6), GetParam(), 0.01, {.step_limit = 5000});
+  const auto wide = fixed_step_collision(column(3, 0.9, 1e6), GetParam(), 0.01, {.work_limit = 3 * 5000});
   EXPECT_EQ(wide.status, Status::ok);
-  const auto widest = fixed_step_collision(column(3, 0.9, 1e300), GetParam(), 0.01, {.step_limit = 5000});
+  const auto widest = fixed_step_collision(column(3, 0.9, 1e300), GetParam(), 0.01, {.work_limit = 3 * 5000});
   EXPECT_EQ(widest.status, Status::ok);
   EXPECT_NEAR(widest.velocity[2], wide.velocity[2], 0.02);  // two phases of a first-order scheme
 }
@@ -126,7 +127,7 @@ TEST_P(FixedStep, FinalVelocitiesAreOrdered) {
 }
 
 TEST_P(FixedStep, GivesUpAtTheStepLimit) {
-  const auto o = fixed_step_collision(column(10, 0.9, 1.0), GetParam(), 0.01, {.step_limit = 200});
+  const auto o = fixed_step_collision(column(10, 0.9, 1.0), GetParam(), 0.01, {.work_limit = 10 * 200});
   EXPECT_EQ(o.status, Status::event_limit);
   EXPECT_EQ(o.end, End::none);
 }

@@ -7,7 +7,7 @@
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
-#include "solve/fixed_step/collision.hpp"
+#include "solve/fixed_step/column/collision.hpp"
 #include "support/reference_values.hpp"
 
 /// The schemes of fixed step against the reference values.

@@ -10,8 +10,9 @@
 #include "assembly/lattice_neighbours.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
-#include "solve/fixed_step/collision.hpp"
+#include "solve/fixed_step/column/collision.hpp"
 #include "solve/fixed_step/lattice/collision.hpp"
+#include "solve/fixed_step/lattice/observed_collision.hpp"
 #include "solve/observer/lattice_samples.hpp"
 
 /// Lattices of discs by the methods of fixed step, against an independent program (classical Runge-Kutta in the room's
@@ -243,8 +244,10 @@ TEST(LatticeFixedStep, SkippedFreeFlightChangesNothingButRounding) {
     p.side_walls = SideWalls::fixed;
     Lattice<double> lattice = lattice_of(p, 0.3);
     shift_at_random(lattice, 7);
-    const auto skipped = fixed_step_lattice_collision(lattice, integrator, 0.02, {}, FreeFlight::skipped);
-    const auto stepped = fixed_step_lattice_collision(lattice, integrator, 0.02, {}, FreeFlight::stepped);
+    const auto skipped =
+        fixed_step_lattice_collision(lattice, integrator, 0.02, {}, {.free_flight = FreeFlight::skipped});
+    const auto stepped =
+        fixed_step_lattice_collision(lattice, integrator, 0.02, {}, {.free_flight = FreeFlight::stepped});
     EXPECT_EQ(skipped.contacts, stepped.contacts);
     EXPECT_EQ(skipped.end, End::quiet);
     EXPECT_NEAR(skipped.t_k, stepped.t_k, 1e-9);
@@ -291,7 +294,7 @@ TEST(LatticeFixedStep, OverdampedBeadsThatStickEnd) {
     const auto outcome = fixed_step_lattice_collision(lattice, Integrator::rk4, 1.0 / 200.0);
     EXPECT_EQ(outcome.status, Status::ok);
     EXPECT_NE(outcome.end, End::none);
-    EXPECT_LT(outcome.remainder, 1e-13);                             // LatticeOptions::settle
+    EXPECT_LT(outcome.remainder, 1e-13);                             // RunLimits::settle
     EXPECT_LT(outcome.velocity[0].z, c.damping > 2.0 ? 1e-6 : 0.5);  // creeps at the bottom, or comes off slowly
   }
 }

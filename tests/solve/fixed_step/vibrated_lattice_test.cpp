@@ -68,7 +68,7 @@ TEST(VibratedLatticeFixedStep, HugeDiscsAreAColumn) {
       LatticeOutcome<double> outcome;
       const Vibration v = run(p, lattice, plate, integrator, 0.01, &outcome);
       VibrationStatistics statistics(p, column, plate, units);
-      const auto expected = follow_by_fixed_steps(column, plate, integrator, 0.01, statistics);
+      const auto expected = fixed_step_vibrated_column(column, plate, integrator, 0.01, statistics);
       const Vibration w = statistics.result();
       // A few contacts a period, each of which takes rounding, 1e-9 for these diameters, further.
       constexpr double same = 1e-6;
@@ -138,7 +138,7 @@ TEST(VibratedLatticeFixedStep, SamplesOfHugeDiscsAreThoseOfAColumn) {
   ASSERT_TRUE(samples.done());
   Samples expected(times, column.contacts());
   VibratedSamples column_watcher(expected, plate.period());
-  follow_by_fixed_steps(column, plate, Integrator::rk4, 0.01, column_watcher);
+  fixed_step_vibrated_column(column, plate, Integrator::rk4, 0.01, column_watcher);
   for (std::size_t k = 0; k < times.size(); ++k) {
     double z = 0.0, v = 0.0;
     for (std::size_t i = 0; i < lattice.count(); ++i) {

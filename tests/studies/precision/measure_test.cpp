@@ -10,7 +10,7 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/contact/calibration.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
-#include "solve/fixed_step/collision.hpp"
+#include "solve/fixed_step/column/collision.hpp"
 #include "support/soft_column.hpp"
 
 namespace sigmasweep {

@@ -3,29 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <new>
-#include <vector>
 
 #include "assembly/column.hpp"
 #include "assembly/ground.hpp"
 #include "contact/kernels.hpp"
+#include "solve/fixed_step/aligned_lanes.hpp"
 
 namespace sigmasweep {
-
-/// One number a contact, padded to whole vectors of the machine, with room on either side for a stencil.
-class AlignedLanes {
- public:
-  static constexpr std::size_t width = 4;
-  static constexpr std::size_t padded(std::size_t contacts) { return (contacts + width - 1) / width * width; }
-  explicit AlignedLanes(std::size_t contacts, double value = 0.0) : data_(padded(contacts) + 2 * width, value) {}
-  double* data() { return data_.data() + width; }
-  const double* data() const { return data_.data() + width; }
-  double& operator[](std::size_t k) { return data()[k]; }
-  double operator[](std::size_t k) const { return data()[k]; }
-
- private:
-  std::vector<double> data_;
-};
 
 /// How forces accelerate overlaps: Eq. (2) for neighbours subtracted from one another. Beads of equal mass 1:
 ///     x_k'' = F_(k-1) - g_k F_k + F_(k+1),  g_0 = 1, g_k = 2.
@@ -70,7 +54,7 @@ struct ChainCoupling<true> {
 template <class Force, bool Uneven, class Ground = FixedWall>
 struct Chain {
   static constexpr bool driven = Ground::moves;
-  static constexpr bool one_by_one = true;  ///< a contact's force is its own affair
+  static constexpr bool one_by_one = true;  ///< F_k depends on x_k and u_k only
 
   Chain(const Column<double>& column, double dt, const Ground& ground = {})
       : contacts(column.contacts()),

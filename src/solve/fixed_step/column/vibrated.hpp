@@ -4,14 +4,19 @@
 #include "assembly/ground.hpp"
 #include "sigmasweep/base/budget.hpp"
 #include "sigmasweep/model/parameters.hpp"
+#include "solve/observer/samples.hpp"
+#include "solve/observer/vibration_statistics.hpp"
 
 namespace sigmasweep {
 
-/// A vibrated column by steps of at most `dt`, a whole number of them a period, until the watcher (VibrationStatistics
-/// or VibratedSamples) has seen enough. Works are sums over the steps: the energies balance as well as the steps are
-/// short. Outcome: x_max, contacts, end and status; Status::unstable where energy comes out of nothing.
-template <class Watcher>
-Outcome<double> follow_by_fixed_steps(const Column<double>& column, const Plate& plate, Integrator integrator,
-                                      double dt, Watcher& watcher, ComputeBudget* budget = nullptr);
+/// A vibrated column by steps of at most `dt`, a whole number of them a period, until the observer has seen all
+/// periods. Works are sums over the steps: the energies balance as well as the steps are short. Outcome: x_max,
+/// contacts, end, status, and the last velocities relative to the plate; Status::unstable where energy comes out of
+/// nothing.
+Outcome<double> fixed_step_vibrated_column(const Column<double>& column, const Plate& plate, Integrator integrator,
+                                           double dt, VibrationStatistics& statistics, ComputeBudget* budget = nullptr);
+/// The same with samples of the motion (vibrated_samples.cpp).
+Outcome<double> fixed_step_vibrated_column(const Column<double>& column, const Plate& plate, Integrator integrator,
+                                           double dt, VibratedSamples& samples, ComputeBudget* budget = nullptr);
 
 }  // namespace sigmasweep

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <cstdint>
-
 #include "assembly/lattice.hpp"
+#include "solve/fixed_step/step_options.hpp"
+#include "solve/run_limits.hpp"
 
 namespace sigmasweep {
 
-/// Free flight is crossed in one go, by a whole number of steps; or, for tests, step by step.
-enum class FreeFlight : std::uint8_t { skipped, stepped };
-
+/// One collision of a lattice with time step `dt`, in the lattice's units, by an integrator of fixed step and with
+/// neighbour lists. No notice is taken of where in a step a contact opens or closes. Status::ok; unstable, when energy
+/// comes out of nothing; event_limit. Default limits: 100,000 + 1,000 N contacts, and a work of 1e10, some minutes.
 LatticeOutcome<double> fixed_step_lattice_collision(const Lattice<double>& lattice, Integrator integrator, double dt,
-                                                    const LatticeOptions& options, FreeFlight free_flight);
+                                                    const RunLimits& limits = {}, const StepOptions& options = {});
 
 }  // namespace sigmasweep

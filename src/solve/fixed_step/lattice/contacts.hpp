@@ -9,14 +9,9 @@
 #include "assembly/lattice_neighbours.hpp"
 #include "base/vec2.hpp"
 #include "contact/kernels.hpp"
+#include "solve/fixed_step/driver.hpp"
 
 namespace sigmasweep {
-
-/// What changed from one step to the next.
-struct ContactChanges {
-  std::uint64_t opened = 0;
-  bool any_closed = false;
-};
 
 /// All contacts that the neighbour lists hold, each once: pairs of beads, one array for each of their numbers, so that
 /// the loop over them vectorises; then walls. Time in steps. Bead i has the components 2 i (x) and 2 i + 1 (z) of q,

@@ -7,101 +7,50 @@
 #include <span>
 #include <vector>
 
-#include "assembly/ground.hpp"
-#include "solve/fixed_step/column/chain.hpp"
-#include "solve/fixed_step/dispatch.hpp"
+#include "assembly/lattice.hpp"
+#include "solve/fixed_step/between_steps.hpp"
+#include "solve/fixed_step/driver.hpp"
 #include "solve/fixed_step/lattice/contacts.hpp"
+#include "solve/fixed_step/lattice/motion.hpp"
 
 namespace sigmasweep {
 
-/// The lattice's equation of motion for the schemes of fixed step, which know it as a Chain: two components a bead, of
-/// which the accelerations are what the contacts say. Ground: in a container that moves as a plate does, and seen from
-/// it, all beads feel the load too.
-template <class Contacts, class Ground>
-class LatticeMotion {
- public:
-  static constexpr bool driven = Ground::moves;
-  static constexpr bool one_by_one = false;
-
-  LatticeMotion(const Lattice<double>& lattice, double dt, const Ground& ground, Contacts& contacts)
-      : x(2 * lattice.count()),
-        u(2 * lattice.count()),
-        speed(lattice.beads.speed * dt),
-        contacts_(contacts),
-        components_(2 * lattice.count()),
-        dt_(dt),
-        ground_(ground) {
-    for (std::size_t i = 0; i < lattice.count(); ++i) {
-      if (!lattice.shift.empty()) {
-        x[2 * i] = lattice.shift[i].x;
-        x[2 * i + 1] = lattice.shift[i].z;
-      }
-      if constexpr (!driven) u[2 * i + 1] = -speed;
-    }
-  }
-
-  void set_time(double steps) requires driven { now_ = steps; }
-
-  void forces(const double* q, const double* v, double* a) const { contacts_.accelerations(q, v, a); }
-  void drive(double* a, double ahead) const {
-    if constexpr (driven) {
-      const double load = ground_.load((now_ + ahead) * dt_) * dt_ * dt_;
-      for (std::size_t k = 1; k < components_; k += 2) a[k] -= load;
-    }
-  }
-  AlignedLanes first_acceleration() const requires driven {
-    AlignedLanes a(components_);
-    forces(x.data(), u.data(), a.data());
-    drive(a.data(), 0.0);
-    return a;
-  }
-
-  struct Coupling {
-    Coupling view() const { return *this; }
-    double acceleration(const double* a, std::size_t k) const { return a[k]; }
-  };
-  Coupling coupling;
-  std::nullptr_t contact() const { return nullptr; }
-  std::size_t components() const { return components_; }
-  std::size_t lanes() const { return AlignedLanes::padded(components_); }
-
-  AlignedLanes x, u;  ///< displacements and velocities at the start
-  double speed;
-
- private:
-  Contacts& contacts_;
-  std::size_t components_;
-  double dt_, now_ = 0.0;
-  Ground ground_;
-};
-
-/// A lattice that a scheme steps, with its contacts and the lists that they come from.
-template <class Force, bool Uneven, template <class> class Scheme, class Ground>
-class LatticeSteps {
+/// A lattice that a scheme steps, with its contacts and the neighbour lists that they come from: a System of
+/// FixedStepDriver.
+template <class Force, bool Uneven, class Scheme, class Ground>
+class LatticeSystem {
  public:
   using Contacts = LatticeContacts<Force, Uneven, Ground::moves>;
   using Motion = LatticeMotion<Contacts, Ground>;
+  using Stepper = typename Scheme::template Stepper<Motion>;
+  using Outcome = LatticeOutcome<double>;
 
-  LatticeSteps(const Lattice<double>& lattice, double dt, const Ground& ground = {})
+  LatticeSystem(const Lattice<double>& lattice, double dt, const Ground& ground)
       : lattice_(lattice),
         dt_(dt),
         neighbours_(lattice),
         contacts_(lattice, dt),
         motion_(lattice, dt, ground, contacts_),
         scheme_(listed()) {}
-  LatticeSteps(const LatticeSteps&) = delete;
+  LatticeSystem(const LatticeSystem&) = delete;
 
-  Motion& motion() { return motion_; }
-  Contacts& contacts() { return contacts_; }
-  const Contacts& contacts() const { return contacts_; }
-  Scheme<Motion>& scheme() { return scheme_; }
+  double dt() const { return dt_; }
   std::size_t beads() const { return lattice_.count(); }
+  std::size_t contact_count() const { return contacts_.size(); }
+  const Contacts& contacts() const { return contacts_; }
+  Stepper& scheme() { return scheme_; }
+  const Stepper& scheme() const { return scheme_; }
+  void set_time(double steps) requires(Ground::moves) { motion_.set_time(steps); }
   Vec2<double> q(std::size_t i) const { return {scheme_.x()[2 * i], scheme_.x()[2 * i + 1]}; }
-  /// In lengths a step.
+  /// Velocity of bead i, lengths a step.
   Vec2<double> u(std::size_t i) const { return {scheme_.u()[2 * i], scheme_.u()[2 * i + 1]}; }
 
-  /// Before a contact can close that is on no list: to be called after each step.
-  void keep_lists() {
+  template <class Touch>
+  ContactChanges look(Touch&& touch) {
+    return contacts_.look(touch);
+  }
+  /// Makes the lists anew before a contact can close that is on none of them.
+  void after_step() {
     const double most = trigger * neighbours_.leeway();
     double furthest = 0.0;
     for (std::size_t i = 0; i < beads(); ++i) {
@@ -110,7 +59,8 @@ class LatticeSteps {
     }
     if (furthest > most * most) make_lists();
   }
-  /// Steps that all beads can go on before lists must be made anew.
+  void after_coast() { after_step(); }
+  /// Number of steps that all beads can go on before the lists must be made anew.
   double steps_within_lists() const {
     double steps = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < beads(); ++i) {
@@ -128,7 +78,7 @@ class LatticeSteps {
     return 0.5 * (sum + contacts_.elastic());
   }
 
-  /// For the watcher: what the beads were like before the next steps.
+  /// Keeps the state before the next steps.
   void remember() {
     const std::size_t components = motion_.components();
     q_before_.assign(scheme_.x(), scheme_.x() + components);
@@ -144,6 +94,43 @@ class LatticeSteps {
       at[i] = {x.x, z.x};
       v[i] = {x.u / dt_, z.u / dt_};
     }
+  }
+
+  /// Free flight, `steps` from now.
+  void extrapolate(double steps, std::span<Vec2<double>> at, std::span<Vec2<double>> v) const {
+    for (std::size_t i = 0; i < beads(); ++i) {
+      at[i] = q(i) + steps * u(i);
+      v[i] = 1.0 / dt_ * u(i);
+    }
+  }
+
+  /// Power that the dashpots take, time in steps.
+  double power_lost() const requires(Ground::moves) { return contacts_.lost(); }
+  /// Power of the container at a time in steps, time in steps.
+  double power_in(const Ground& plate, double now) const requires(Ground::moves) {
+    return contacts_.lift() * plate.speed(now * dt_) * dt_;
+  }
+  /// Works are divided by this to have the solver's units.
+  double work_unit() const { return dt_ * dt_; }
+  double weight(const Ground& plate) const requires(Ground::moves) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < beads(); ++i) sum += plate.g * lattice_.mass(i);
+    return sum;
+  }
+  /// Energy at the beginning of a period: kinetic in the room's frame, of gravity (0 for beads on their sites) and
+  /// elastic.
+  double energy_on(const Ground& plate) const requires(Ground::moves) {
+    double sum = 0.5 * contacts_.elastic() / (dt_ * dt_);
+    for (std::size_t i = 0; i < beads(); ++i) {
+      const Vec2<double> v = 1.0 / dt_ * u(i) + Vec2<double>{0.0, plate.speed(0.0)};
+      sum += lattice_.mass(i) * (0.5 * dot(v, v) + plate.g * q(i).z);
+    }
+    return sum;
+  }
+
+  void fill(Outcome& outcome) const {
+    for (std::size_t i = 0; i < beads(); ++i) outcome.velocity.push_back(1.0 / dt_ * u(i));
+    outcome.x_max = contacts_.deepest();
   }
 
  private:
@@ -168,7 +155,7 @@ class LatticeSteps {
   LatticeNeighbours<double> neighbours_;
   Contacts contacts_;
   Motion motion_;
-  Scheme<Motion> scheme_;
+  Stepper scheme_;
   std::vector<double> q_before_, u_before_;
 };
 

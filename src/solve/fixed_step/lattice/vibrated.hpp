@@ -8,6 +8,7 @@
 #include "sigmasweep/base/budget.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "solve/observer/lattice_samples.hpp"
+#include "solve/observer/lattice_statistics.hpp"
 
 namespace sigmasweep {
 
@@ -32,12 +33,14 @@ class VibratedLatticeSamples {
   std::int64_t periods_ = 0;
 };
 
-/// A lattice in a container that vibrates as a whole under gravity, at rest relative to it at the start, as given. As
-/// follow_by_fixed_steps() for a column; watcher: LatticeStatistics or VibratedLatticeSamples. Work in is what the
-/// container does: all of its walls move.
-template <class Watcher>
+/// A lattice in a container that vibrates as a whole under gravity, at rest relative to it at the start, as given; by
+/// steps of at most `dt`, as fixed_step_vibrated_column(). Work in is the container's: all of its walls move.
 LatticeOutcome<double> fixed_step_vibrated_lattice(const Lattice<double>& lattice, const Plate& plate,
-                                                   Integrator integrator, double dt, Watcher& watcher,
+                                                   Integrator integrator, double dt, LatticeStatistics& statistics,
+                                                   ComputeBudget* budget = nullptr);
+/// The same with samples of the motion (vibrated_samples.cpp).
+LatticeOutcome<double> fixed_step_vibrated_lattice(const Lattice<double>& lattice, const Plate& plate,
+                                                   Integrator integrator, double dt, VibratedLatticeSamples& samples,
                                                    ComputeBudget* budget = nullptr);
 
 }  // namespace sigmasweep

@@ -12,6 +12,7 @@
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/result.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/fixed_step/lattice/collision.hpp"
 
 /// Lattices of discs from event to event, against an independent program (an exact reduction to a chain of rows where
 /// all columns move alike; Runge-Kutta with steps of tc/400 and DOP853 where they do not).

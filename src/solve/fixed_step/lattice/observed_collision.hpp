@@ -1,0 +1,13 @@
+#pragma once
+
+#include "assembly/lattice.hpp"
+#include "sigmasweep/model/parameters.hpp"
+#include "solve/observer/lattice_samples.hpp"
+
+namespace sigmasweep {
+
+/// A lattice's collision with time step `dt`, recorded until the last sample is taken. The clock starts with the fall.
+void observe_fixed_step_lattice(const Lattice<double>& lattice, Integrator integrator, double dt,
+                                LatticeSamples& samples);
+
+}  // namespace sigmasweep
