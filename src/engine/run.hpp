@@ -1,31 +1,18 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
+#include "engine/report/reporter.hpp"
+#include "engine/run_options.hpp"
 #include "mpi/world.hpp"
-#include "sweep/slice.hpp"
 
 namespace sigmasweep {
 
-struct RunOptions {
-  std::string spec;                   ///< path of the sweep spec
-  std::string output;                 ///< path of the table; empty: default_table(spec)
-  bool fresh = false;                 ///< start again, whatever is there
-  bool quiet = false;                 ///< neither progress nor summary
-  std::optional<double> max_seconds;  ///< be through after this long; the end of a Slurm job counts as well
-  Slice slice;                        ///< compute these rows only
-  bool extend = false;                ///< take over the rows of the table of another spec that is to be replaced
-  std::vector<std::string> reuse;     ///< tables whose rows are taken over
-  bool retry = false;                 ///< compute rows again whose status is not reproducible
-};
-
-/// The spec's name with .h5 for .toml, in the current directory.
-std::string default_table(const std::string& spec);
-
 /// `sigmasweep run`, on all ranks; the same exit code on each: 0 all rows fine, 1 some rows failed, 75 stopped on
 /// purpose. An Error is thrown on the manager alone, the other ranks return its exit code: one message, no rank waits.
+///
+/// The phases of a run are functions of their own in engine/phases: open_sweep(), limit_time(), compute_rows(),
+/// write_rows(), record_trajectories(), report_rows().
+int run_sweep(const World& world, const RunOptions& options, const Reporter& reporter);
+/// The same with messages on stderr.
 int run(World& world, const RunOptions& options);
 
 }  // namespace sigmasweep

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/stop/duration.hpp"
+#include "base/duration.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/report/progress.hpp"
+#include "base/duration.hpp"
 #include "engine/report/summary.hpp"
 
 namespace sigmasweep {

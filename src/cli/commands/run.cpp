@@ -3,8 +3,8 @@
 #include <charconv>
 #include <optional>
 
+#include "base/duration.hpp"
 #include "cli/command.hpp"
-#include "engine/stop/duration.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/report/progress.hpp"
+#include "base/duration.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/names.hpp"

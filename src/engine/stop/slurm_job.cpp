@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/stop/duration.hpp"
+#include "base/duration.hpp"
 
 extern char** environ;
 

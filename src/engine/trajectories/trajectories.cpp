@@ -95,8 +95,8 @@ void require_own_trajectories(const Sweep& sweep, const std::string& table) {
       refuse(path, row);
 }
 
-Films write_trajectories(const World& world, const Sweep& sweep, const std::string& table, const std::vector<Row>& rows,
-                         const StopRequest& stop) {
+TrajectoryCount write_trajectories(const World& world, const Sweep& sweep, const std::string& table,
+                                   const std::vector<Row>& rows, const StopRequest& stop) {
   const auto comm = world.comm();
   std::vector<Row> all;
   const std::uint64_t wanted = run_collective(comm, [&] {
@@ -106,7 +106,7 @@ Films write_trajectories(const World& world, const Sweep& sweep, const std::stri
     return std::uint64_t{all.size()};
   });
   const std::vector<Row> mine = world.scatter(all, wanted);
-  const std::uint64_t there = run_collective(comm, [&] {
+  const std::uint64_t written = run_collective(comm, [&] {
     std::uint64_t done = 0;
     for (const Row& row : mine) {
       if (stop.made()) break;
@@ -115,7 +115,7 @@ Films write_trajectories(const World& world, const Sweep& sweep, const std::stri
     }
     return done;
   });
-  return {wanted, there};
+  return {wanted, written};
 }
 
 }  // namespace sigmasweep

@@ -17,15 +17,16 @@ void require_own_trajectories(const Sweep& sweep, const std::string& table);
 /// Instead, for a run that starts again: those of an earlier run go, or a stop would leave a mixture.
 void remove_trajectories(const Sweep& sweep, const std::string& table);
 
-struct Films {
-  std::uint64_t wanted = 0;  ///< rows that the spec chooses and that have a result
-  std::uint64_t there = 0;   ///< files of them; fewer if it was stopped
+/// How many trajectories a run has recorded.
+struct TrajectoryCount {
+  std::uint64_t wanted = 0;   ///< rows that the spec chooses and that have a result
+  std::uint64_t written = 0;  ///< files of these rows that are there; fewer if the run was stopped
 };
 
 /// After the run, on all ranks, `rows` the manager's finished rows in spec order: the ranks take turns in writing what
 /// is not there yet. Ends early when any rank is asked to stop; what is written stays. A file that is there and is not
 /// what would be written is an OutputError. All ranks throw the same error.
-Films write_trajectories(const World& world, const Sweep& sweep, const std::string& table, const std::vector<Row>& rows,
-                         const StopRequest& stop);
+TrajectoryCount write_trajectories(const World& world, const Sweep& sweep, const std::string& table,
+                                   const std::vector<Row>& rows, const StopRequest& stop);
 
 }  // namespace sigmasweep

@@ -91,7 +91,7 @@ std::vector<PrecisionRow> measure(const World& world, const Sweep& sweep, const 
   if (world.is_manager()) {
     predicted = predicted_times(sweep, study);
     schedule.emplace(schedule_of(predicted, world.size()));
-    progress.emplace(sweep.size(), schedule->total_seconds(), world.size(), quiet);
+    progress.emplace(sweep.size(), schedule->total_seconds(), world.size(), Reporter::on_stderr(quiet));
   }
   std::vector<PrecisionRow> all;
   std::set<std::uint64_t> done;

@@ -1,4 +1,6 @@
-#include "engine/stop/duration.hpp"
+#include "base/duration.hpp"
+
+#include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
@@ -42,6 +44,19 @@ std::optional<double> parse_duration(std::string_view text) {
   else if (parts->size() == 2)
     parts->insert(parts->begin(), 0.0);  // MM:SS: seconds come last
   return ((24.0 * *days + (*parts)[0]) * 60.0 + (*parts)[1]) * 60.0 + (*parts)[2];
+}
+
+std::string readable_duration(double seconds) {
+  if (!std::isfinite(seconds)) return "?";
+  if (seconds < 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
+  if (seconds < 1.0) return fmt::format("{:.3g} ms", seconds * 1e3);
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 59.5) return fmt::format("{:.0f} s", seconds);
+  const auto whole = std::llround(seconds);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  const auto minutes = std::llround(seconds / 60.0);
+  if (minutes < 48 * 60) return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
+  return fmt::format("{} d {} h", minutes / 1440, minutes % 1440 / 60);
 }
 
 }  // namespace sigmasweep

@@ -1,0 +1,163 @@
+#include "engine/phases/compute.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "engine/compute_row.hpp"
+#include "engine/distribute/distribute.hpp"
+#include "engine/phases/phase.hpp"
+#include "engine/report/progress.hpp"
+#include "engine/report/unstable_rows.hpp"
+#include "mpi/run_collective.hpp"
+#include "sigmasweep/sweep/cost.hpp"
+#include "store/crash_notes.hpp"
+#include "sweep/schedule.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// Number of ranks from which on the manager only manages: that costs 6 % of the ranks at most.
+constexpr int dedicated_manager_from = 17;
+
+bool manager_computes(const World& world, const Sweep& sweep) {
+  const ManagerRole role = sweep.manager();
+  return world.size() == 1 || role == ManagerRole::computes ||
+         (role == ManagerRole::automatic && world.size() < dedicated_manager_from);
+}
+
+/// Leaves out rows during which processes died. On the manager.
+void quarantine(OpenSweep& open, const SuspicionByRow& suspicion, const Reporter& reporter) {
+  constexpr std::uint64_t too_much = 4;  // two runs that died while they computed this row alone
+  for (const auto& [row, score] : suspicion) {
+    if (score < too_much || open.ledger->has(row)) continue;
+    open.ledger->quarantine({row, open.sweep.at(row)});
+    reporter.say(fmt::format("row {} is left out, processes died while they computed it (--retry tries again)", row));
+  }
+}
+
+/// From here on the next run can know which rows this one dies of.
+void begin_notes(const World& world, OpenSweep& open, std::optional<CrashNotes>& notes, const Reporter& reporter) {
+  CrashNotesIdentity identity{open.sweep.hash(), open.sweep.size(), std::random_device{}()};
+  identity.run = static_cast<std::uint64_t>(world.broadcast(static_cast<std::int64_t>(identity.run)));
+  on_manager(world, [&] {
+    quarantine(open, begin_crash_notes(open.table, identity, world.size(), open.fresh || open.retry), reporter);
+  });
+  on_all_ranks(world, [&] {
+    run_collective(world.comm(), [&] {
+      notes.emplace(open.table, identity, world.rank());
+      return std::uint64_t{0};
+    });
+  });
+}
+
+/// Predicts the cost of each missing row, once. On the manager.
+Schedule schedule_of(const Ledger& ledger, const Sweep& sweep, int ranks) {
+  auto rows = ledger.missing();
+  std::vector<double> seconds;
+  seconds.reserve(rows.size());
+  for (const std::uint64_t row : rows) seconds.push_back(predicted_time(sweep.at(row)));
+  return Schedule(std::move(rows), std::move(seconds), ranks);
+}
+
+/// Takes in the rows that come from the workers. On the manager.
+class RowIntake {
+ public:
+  RowIntake(Ledger& ledger, Deadline* deadline, Progress progress)
+      : ledger_(ledger), deadline_(deadline), progress_(std::move(progress)) {}
+
+  /// Does not throw: what goes wrong with the journal ends the run, and is thrown by finish().
+  void take(const Row& row) {
+    if (error_) return;
+    try {
+      ledger_.enter(row);
+      work_.add(row);
+      if (deadline_) deadline_->learn(row.timing);
+      progress_.add(1, row.timing.predicted_time);
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+  }
+
+  /// Whether the run cannot go on. Lets the progress bar see the time.
+  bool poll() {
+    progress_.add(0, 0.0);
+    return error_ != nullptr;
+  }
+
+  void finish(const std::string& table) {
+    progress_.finish();
+    end_crash_notes(table, ledger_.is_complete());
+    if (error_) std::rethrow_exception(error_);
+    ledger_.sync();
+  }
+
+  const Work& work() const { return work_; }
+
+ private:
+  Ledger& ledger_;
+  Deadline* deadline_;
+  Progress progress_;
+  Work work_;
+  std::exception_ptr error_;
+};
+
+Job<SweepTask, Row> sweep_job(const World& world, const Sweep& sweep, CrashNotes& notes, const StopRequest& stop,
+                              std::optional<RowIntake>& intake) {
+  Job<SweepTask, Row> job;
+  job.task = [&](std::uint64_t row, double predicted_seconds) {
+    return SweepTask{row, predicted_seconds, sweep.at(row)};
+  };
+  job.compute = [&, rank = world.rank()](const SweepTask& task, const std::function<bool()>& should_end) {
+    notes.begin(task.index);
+    const auto row = compute_row(task, rank, sweep.tuple_time_limit(), should_end);
+    notes.end();
+    return row;
+  };
+  job.finished = [&](const Row& row) { intake->take(row); };
+  job.stop = [&] {
+    const bool failed = intake && intake->poll();
+    if (stop.made()) notes.absolve();
+    return failed || stop.made();
+  };
+  job.manager_computes = manager_computes(world, sweep);
+  return job;
+}
+
+}  // namespace
+
+Computed compute_rows(const World& world, OpenSweep& open, std::optional<Deadline>& deadline, const StopRequest& stop,
+                      const Reporter& reporter) {
+  std::optional<CrashNotes> notes;
+  begin_notes(world, open, notes, reporter);
+  std::optional<Schedule> schedule;
+  std::optional<RowIntake> intake;
+  Job<SweepTask, Row> job = sweep_job(world, open.sweep, *notes, stop, intake);
+  if (deadline) job.max_seconds = [&] { return deadline->max_seconds(); };
+  on_manager(world, [&] {
+    if (const std::string warning = stability_warning(open.sweep); !warning.empty()) reporter.say(warning);
+    schedule.emplace(schedule_of(*open.ledger, open.sweep, job.manager_computes ? world.size() : world.size() - 1));
+    intake.emplace(*open.ledger, deadline ? &*deadline : nullptr,
+                   Progress(open.rows() - open.ledger->kept(), schedule->total_seconds(), world.size(), reporter));
+  });
+  const auto start = std::chrono::steady_clock::now();
+  distribute(world, schedule ? &*schedule : nullptr, job);
+  Computed computed;
+  computed.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  on_manager(world, [&] {
+    intake->finish(open.table);
+    computed.work = intake->work();
+    computed.is_complete = open.ledger->is_complete();
+    if (computed.is_complete) return;
+    reporter.warn(fmt::format("stopped on purpose with {} of {} rows done{}; {} to go on", open.ledger->there(),
+                              open.rows(), stop.made() ? "" : ", the others would not end in time",
+                              open.restart_hint()));
+  });
+  computed.is_complete = world.broadcast(std::int64_t{computed.is_complete}) != 0;
+  return computed;
+}
+
+}  // namespace sigmasweep

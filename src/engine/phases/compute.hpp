@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/phases/open.hpp"
+#include "engine/report/summary.hpp"
+#include "engine/stop/deadline.hpp"
+#include "engine/stop/stop.hpp"
+
+namespace sigmasweep {
+
+/// What the computing of a run came to.
+struct Computed {
+  bool is_complete = false;   ///< all rows of the sweep are there now
+  Work work{};                ///< on the manager
+  double wall_seconds = 0.0;  ///< time that the computing took
+};
+
+/// Third phase: computes the rows that are missing, on all ranks; each goes to the ledger of `open` as it comes in.
+/// Ends early when `stop` says so on any rank, and begins no row that is not expected to end before `deadline`.
+///
+/// Rows during which processes died in earlier runs are quarantined instead. Crash notes tell the next run what this
+/// one dies of. Throws OutputError and IoError.
+Computed compute_rows(const World& world, OpenSweep& open, std::optional<Deadline>& deadline, const StopRequest& stop,
+                      const Reporter& reporter);
+
+}  // namespace sigmasweep

@@ -1,0 +1,58 @@
+#include "engine/phases/open.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "engine/phases/phase.hpp"
+#include "engine/report/provenance.hpp"
+#include "engine/trajectories/trajectories.hpp"
+
+namespace sigmasweep {
+namespace {
+
+void report_kept_rows(const Ledger& ledger, const std::string& table, std::uint64_t rows, const Reporter& reporter) {
+  for (const std::string& remark : ledger.remarks()) reporter.say(remark);
+  if (ledger.table_is_complete())
+    reporter.say(fmt::format("{} is complete, nothing to compute (--fresh starts again)", table));
+  else if (ledger.kept() > 0)
+    reporter.say(fmt::format("going on with {} of {} rows{}", ledger.kept(), rows,
+                             ledger.taken() ? fmt::format(", {} of them taken over", ledger.taken()) : ""));
+}
+
+}  // namespace
+
+const std::vector<Row>& OpenSweep::manager_rows() const {
+  static const std::vector<Row> none;
+  return ledger ? ledger->rows() : none;
+}
+
+OpenSweep open_sweep(const World& world, const RunOptions& options, const Reporter& reporter) {
+  const auto steady_start = std::chrono::steady_clock::now();
+  const std::string start = utc_now();
+  const std::string table = options.output.empty() ? default_table(options.spec) : options.output;
+  std::optional<Sweep> sweep;
+  std::optional<Ledger> ledger;
+  on_manager(world, [&] {
+    sweep = Sweep::load(options.spec);
+    if (!options.fresh) require_own_trajectories(*sweep, table);
+    ledger.emplace(*sweep, table,
+                   LedgerOptions{options.fresh, options.slice, options.extend, options.reuse, options.retry});
+    if (options.fresh) remove_trajectories(*sweep, table);
+    report_kept_rows(*ledger, table, options.slice.size(sweep->size()), reporter);
+  });
+  const std::string text = world.broadcast(sweep ? sweep->text() : "");
+  if (!sweep) sweep = Sweep::parse(text, options.spec);
+  const bool complete = world.broadcast(std::int64_t{ledger && ledger->table_is_complete()}) != 0;
+  return OpenSweep{.sweep = *sweep,
+                   .table = table,
+                   .slice = options.slice,
+                   .fresh = options.fresh,
+                   .retry = options.retry,
+                   .start = start,
+                   .steady_start = steady_start,
+                   .ledger = std::move(ledger),
+                   .table_is_complete = complete};
+}
+
+}  // namespace sigmasweep

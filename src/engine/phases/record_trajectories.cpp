@@ -1,0 +1,27 @@
+#include "engine/phases/record_trajectories.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/phases/phase.hpp"
+#include "engine/trajectories/trajectories.hpp"
+#include "engine/trajectories/trajectory_files.hpp"
+
+namespace sigmasweep {
+
+bool record_trajectories(const World& world, OpenSweep& open, const StopRequest& stop, const Reporter& reporter) {
+  on_manager(world, [&] { open.ledger->close(); });
+  if (!open.sweep.trajectory() || !open.slice.is_whole()) return true;
+  TrajectoryCount count;
+  on_all_ranks(world, [&] { count = write_trajectories(world, open.sweep, open.table, open.manager_rows(), stop); });
+  on_manager(world, [&] {
+    const std::string where = trajectory_directory(open.table);
+    if (count.written == count.wanted)
+      reporter.say(fmt::format("{} trajectories in {}", count.written, where));
+    else
+      reporter.warn(fmt::format("stopped on purpose with {} of {} trajectories in {}; {} to go on", count.written,
+                                count.wanted, where, open.restart_hint()));
+  });
+  return count.written == count.wanted;
+}
+
+}  // namespace sigmasweep

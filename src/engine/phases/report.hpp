@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/phases/compute.hpp"
+#include "engine/phases/open.hpp"
+
+namespace sigmasweep {
+
+/// Last phase: says what the sweep came to. Returns the exit code of the run: success, or some_rows_failed.
+int report_rows(const World& world, const OpenSweep& open, const Computed& computed, const Reporter& reporter);
+
+}  // namespace sigmasweep

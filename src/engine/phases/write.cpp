@@ -1,0 +1,20 @@
+#include "engine/phases/write.hpp"
+
+#include <vector>
+
+#include "engine/phases/phase.hpp"
+#include "engine/report/provenance.hpp"
+#include "store/table/table.hpp"
+
+namespace sigmasweep {
+
+void write_rows(const World& world, const OpenSweep& open) {
+  TableInfo info = table_info(open.sweep, open.start, world.size());  // the manager's counts
+  info.slice = open.slice;
+  const auto first = world.block(open.rows()).first;
+  const std::vector<Row> block = world.scatter(open.manager_rows(), open.rows());
+  on_all_ranks(world,
+               [&] { write_table(world.comm(), open.table, info, open.sweep.columns(), open.rows(), first, block); });
+}
+
+}  // namespace sigmasweep

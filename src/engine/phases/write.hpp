@@ -1,0 +1,10 @@
+#pragma once
+
+#include "engine/phases/open.hpp"
+
+namespace sigmasweep {
+
+/// Fourth phase: writes the table from the manager's rows, all ranks together. Throws as write_table().
+void write_rows(const World& world, const OpenSweep& open);
+
+}  // namespace sigmasweep

@@ -1,0 +1,35 @@
+#include "engine/report/reporter.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace sigmasweep {
+namespace {
+
+/// A message that cannot be written (a full disk under the log) is no reason to end a run.
+void print_on_stderr(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stderr) != text.size() || std::fflush(stderr) != 0)
+    std::clearerr(stderr);
+}
+
+}  // namespace
+
+Reporter::Reporter(std::function<void(std::string_view)> print, bool quiet, bool is_terminal)
+    : print_(std::move(print)), quiet_(quiet), terminal_(is_terminal) {}
+
+Reporter Reporter::on_stderr(bool quiet) { return Reporter(print_on_stderr, quiet, isatty(STDERR_FILENO) == 1); }
+
+void Reporter::say(std::string_view message) const {
+  if (!quiet_) warn(message);
+}
+
+void Reporter::warn(std::string_view message) const { print_(fmt::format("sigmasweep: {}\n", message)); }
+
+void Reporter::show(std::string_view text) const {
+  if (!quiet_) print_(text);
+}
+
+}  // namespace sigmasweep
