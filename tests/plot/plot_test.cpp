@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "plot/figure.hpp"
+#include "plot/figure/figure.hpp"
 #include "plot/gnuplot/script.hpp"
 #include "plot/labels.hpp"
 #include "sigmasweep/base/errors.hpp"

@@ -12,7 +12,6 @@
 #include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/model/geometry.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -74,7 +73,7 @@ std::vector<FilmFrame> frames_of_period(const Panel& panel, std::size_t samples)
 View view_of_strip(const Panel& panel, std::span<const FilmFrame> frames) {
   const Trajectory& t = panel.trajectory;
   if (frames.empty()) return {0.0, 1.0, 0.0, 0.1, 0.0, frame_width};
-  const double lowest = is_vibrated(panel.row.parameters) ? -panel.row.parameters.A0 : 0.0;
+  const double lowest = has_plate(panel) ? -panel.row.parameters.A0 : 0.0;
   double start = 0.0, highest = 0.0;
   for (const FilmFrame& frame : frames)
     for (std::size_t i = 0; i < t.beads(); ++i) {
@@ -93,8 +92,7 @@ struct SpeedScale {
 };
 
 SpeedScale speed_scale(std::span<const Panel> panels) {
-  if (std::ranges::none_of(panels, [](const Panel& panel) { return is_vibrated(panel.row.parameters); }))
-    return {true, 1.0};
+  if (std::ranges::none_of(panels, has_plate)) return {true, 1.0};
   double largest = 0.0;
   for (const Panel& panel : panels)
     for (const double v : panel.trajectory.velocity)
@@ -135,19 +133,20 @@ std::string discs(const Panel& panel, std::size_t sample, const SpeedScale& spee
   return out;
 }
 
-std::string clock(const Parameters& p, double t) {
-  if (!is_vibrated(p)) return fmt::format("{{/:Italic t}} = {:.3g} {{/:Italic t}}_c", t / p.tc);
+std::string clock(const Panel& panel, double t) {
+  const Parameters& p = panel.row.parameters;
+  if (!has_plate(panel)) return fmt::format("{{/:Italic t}} = {:.3g} {{/:Italic t}}_c", t / p.tc);
   return fmt::format("{{/:Italic ωt}}/2π = {:.2f}", t * p.frequency - std::floor(t * p.frequency));
 }
 
 std::string frame_script(const Panel& panel, const FilmFrame& frame, const View& view, const SpeedScale& speed,
                          const Canvas& canvas, double x, double y, const std::string& name) {
   const Parameters& p = panel.row.parameters;
-  const double time = panel.trajectory.time[frame.sample], plate = is_vibrated(p) ? plate_height(p, time) : 0.0;
+  const double time = panel.trajectory.time[frame.sample], plate = has_plate(panel) ? plate_height(p, time) : 0.0;
   std::string out = fmt::format("${} << end_of_discs\n{}end_of_discs\n", name, discs(panel, frame.sample, speed));
   out += frame_with_walls(panel.trajectory, view, plate, canvas, x, y);
   const double middle = x + 0.5 * frame_width, under = y + view.height();
-  out += canvas.label(clock(p, time), middle, under + 12.0, "center") +
+  out += canvas.label(clock(panel, time), middle, under + 12.0, "center") +
          canvas.label(frame.what, middle, under + 27.0, "center font ',9' textcolor rgb '#606060'");
   return out + fmt::format(
                    "plot ${0} using 1:2:3 with polygons linecolor palette fillstyle solid noborder notitle, "
@@ -188,8 +187,8 @@ std::string strip_script(const Panel& panel, std::size_t number, const Strip& st
 std::vector<FilmFrame> film_frames(const Panel& panel) {
   const std::size_t samples = seen(panel.trajectory);
   if (samples == 0) return {};
-  std::vector<FilmFrame> frames = is_vibrated(panel.row.parameters) ? frames_of_period(panel, samples)
-                                                                    : frames_of_flight(panel.trajectory, samples);
+  std::vector<FilmFrame> frames =
+      has_plate(panel) ? frames_of_period(panel, samples) : frames_of_flight(panel.trajectory, samples);
   std::ranges::stable_sort(frames, {}, &FilmFrame::sample);
   const auto same = std::ranges::unique(frames, {}, &FilmFrame::sample);
   frames.erase(same.begin(), same.end());

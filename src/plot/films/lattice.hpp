@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "plot/films/trajectories.hpp"
+#include "plot/films/panel.hpp"
 
 namespace sigmasweep {
 

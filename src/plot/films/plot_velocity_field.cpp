@@ -14,7 +14,6 @@
 #include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/model/geometry.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -126,7 +125,7 @@ std::string strip_script(std::size_t number, const Strip& strip, const Canvas& c
 void plot_velocity_fields(std::span<const Panel> panels, std::span<const std::string> axes,
                           std::span<const std::string> mean_over, const std::string& title, const std::string& path) {
   for (const Panel& panel : panels)
-    if (!is_vibrated(panel.row.parameters) || !panel.trajectory.is_plane())
+    if (!has_plate(panel) || !panel.trajectory.is_plane())
       throw UsageError("plot: fields of velocity by phase are of vibrated lattices only");
   const Form form = form_of(path);
   std::vector<std::string> differ;

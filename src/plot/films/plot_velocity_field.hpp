@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "plot/films/trajectories.hpp"
+#include "plot/films/panel.hpp"
 
 namespace sigmasweep {
 

@@ -10,11 +10,10 @@
 #include <string_view>
 
 #include "assembly/plate_motion.hpp"
+#include "plot/films/thin.hpp"
 #include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"
-#include "plot/thin.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/model/geometry.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -81,7 +80,7 @@ struct TimeAxis {
 TimeAxis time_axis(const Panel& panel, bool by_phase) {
   const Parameters& p = panel.row.parameters;
   const double longest = largest(panel.trajectory.time);
-  if (p.geometry == Geometry::column) {
+  if (!has_plate(panel)) {
     const Prefix prefix = prefix_for(longest);
     return {fmt::format("{{/:Italic t}} ({}s)", prefix.name), prefix.factor, false, longest / prefix.factor};
   }
@@ -130,7 +129,7 @@ std::string panel_script(const Panel& panel, std::size_t number, std::span<const
   const bool empty = std::ranges::none_of(t.z, [](double z) { return std::isfinite(z); });
   out += empty ? "set yrange [0:1]\n" : "set yrange [*:*]\n";  // gnuplot refuses an axis without a number
   std::string plots;
-  if (is_vibrated(panel.row.parameters)) {
+  if (has_plate(panel)) {
     out += fmt::format("$plate{} << end_of_line\n", number) +
            line_data(plate_line(panel.row.parameters, time, height), width, range);
     plots = fmt::format("plot $plate{} using 1:2 with lines linewidth 3 linecolor '#909090' notitle", number);
@@ -146,15 +145,6 @@ std::string panel_script(const Panel& panel, std::size_t number, std::span<const
 }
 
 }  // namespace
-
-void require_room_for(std::size_t panels) {
-  if (panels == 0) throw UsageError("plot: there are no trajectories to draw");
-  if (panels <= max_panels) return;
-  throw UsageError(
-      fmt::format("plot: {} trajectories, but at most {} find room on a picture: choose with 'where' in "
-                  "[plot]",
-                  panels, max_panels));
-}
 
 void plot_trajectories(std::span<const Panel> panels, std::size_t columns, std::span<const std::string> differ,
                        const std::string& title, const std::string& path, bool by_phase) {

@@ -1,12 +1,13 @@
 #include "plot/films/velocity_field.hpp"
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "assembly/plate_motion.hpp"
-#include "sigmasweep/model/geometry.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -53,13 +54,13 @@ VelocityField empty_field(Films films) {
   return field;
 }
 
-/// Of independent values; NaN where there are not enough.
+/// The mean of independent values and its standard error; NaN where there are not enough of them.
 std::pair<double, double> mean_and_error(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double squares = 0.0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return {mean, std::sqrt(squares / (n * (n - 1.0)))};
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return {unknown, unknown};
+  if (values.size() == 1) return {values.front(), unknown};
+  const auto [mean, variance] = boost::math::statistics::mean_and_sample_variance(values);
+  return {mean, std::sqrt(variance / static_cast<double>(values.size()))};
 }
 
 }  // namespace

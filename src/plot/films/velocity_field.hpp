@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
-#include "plot/films/trajectories.hpp"
+#include "plot/films/panel.hpp"
 
 namespace sigmasweep {
 

@@ -10,14 +10,11 @@
 #include <vector>
 
 #include "plot/labels.hpp"
+#include "plot/palette.hpp"
 
 namespace sigmasweep::plot {
 namespace {
 
-// Okabe and Ito's colours, distinct for all kinds of colour vision. Seven colours and eight symbols: 56 pairs.
-constexpr auto colours =
-    std::to_array<std::string_view>({"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7F6000"});
-constexpr auto symbols = std::to_array<int>({6, 4, 8, 12, 10, 2, 14, 1});
 constexpr auto curve_dashes = std::to_array<std::string_view>({"(12,7)", "(3,4)", "(14,4,3,4)", "(6,4)"});
 constexpr auto guide_dashes = std::to_array<std::string_view>({"(8,6)", "(2,4)", "(10,4,2,4)"});
 constexpr std::size_t longest_key = 24;
@@ -192,7 +189,7 @@ class Drawing {
 
  private:
   void add_symbols(const Curve& curve, const Figure& figure, std::size_t style) {
-    const std::string colour = fmt::format("linecolor '{}'", colours[style % colours.size()]);
+    const std::string colour = fmt::format("linecolor '{}'", series_colour(style));
     if (curve.fit) add(sampled(*curve.fit, figure), "with lines linewidth 0.9 " + colour, "");
     if (!curve.path.empty()) add(curve.path, "with lines linewidth 1 " + colour, "");
     std::vector<Point> bars;
@@ -201,7 +198,7 @@ class Drawing {
     if (!bars.empty())
       add(bars, "with yerrorbars pointtype 0 linewidth 1 " + colour, "", fmt::format("1:2:{}:($2+$3)", bottom));
     add(curve.points,
-        fmt::format("with points pointtype {} pointsize 0.8 linewidth 1.3 {}", symbols[style % symbols.size()], colour),
+        fmt::format("with points pointtype {} pointsize 0.8 linewidth 1.3 {}", series_symbol(style), colour),
         curve.label);
   }
 

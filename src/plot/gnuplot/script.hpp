@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "plot/figure.hpp"
+#include "plot/figure/figure.hpp"
 #include "plot/gnuplot/gnuplot.hpp"
 
 namespace sigmasweep::plot {

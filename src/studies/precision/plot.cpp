@@ -9,6 +9,7 @@
 
 #include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"
+#include "plot/palette.hpp"
 #include "plot/range.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"
@@ -82,13 +83,10 @@ class Picture {
   }
 
   std::string panel(const Panel& panel, std::size_t number, bool key) const {
-    static constexpr auto colours =
-        std::to_array<std::string_view>({"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7F6000"});
-    static constexpr auto symbols = std::to_array<int>({6, 4, 8, 12, 10, 2, 14, 1});
     std::string data, plots;
     for (std::size_t i = 0; i < panel.series.size(); ++i) {
       const Series& series = panel.series[i];
-      const std::string block = fmt::format("$p{}_{}", number, i), colour(colours[i % colours.size()]);
+      const std::string block = fmt::format("$p{}_{}", number, i), colour(series_colour(i));
       data += block + " << end_of_data\n" + good(series) + "end_of_data\n";
       data += block + "f << end_of_data\n" + failed(series) + "end_of_data\n";
       const std::string title = key ? "title " + quoted(series.label) : "notitle";
@@ -96,7 +94,7 @@ class Picture {
                      "{0} {1} using 1:3:1:2 with xerrorbars pointtype 0 linewidth 0.8 linecolor '{2}' notitle, "
                      "{1} using 1:3 with linespoints pointtype {3} pointsize 0.7 linewidth 1.3 linecolor '{2}' {4}, "
                      "{1}f using 1:2 with points pointtype 2 pointsize 1 linewidth 1.6 linecolor '{2}' notitle",
-                     plots.empty() ? "plot" : ",", block, colour, symbols[i % symbols.size()], title);
+                     plots.empty() ? "plot" : ",", block, colour, series_symbol(i), title);
     }
     std::string noise = "unset arrow\n";
     if (panel.noise == panel.noise)

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "plot/coordinate.hpp"
+#include "plot/figure/coordinate.hpp"
 #include "plot/labels.hpp"
 #include "plot/row_choice.hpp"
 #include "sigmasweep/base/errors.hpp"

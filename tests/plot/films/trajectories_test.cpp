@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "plot/thin.hpp"
+#include "plot/films/thin.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "support/store_samples.hpp"
 

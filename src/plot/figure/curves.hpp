@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "plot/coordinate.hpp"
-#include "plot/figure.hpp"
+#include "plot/figure/coordinate.hpp"
+#include "plot/figure/figure.hpp"
 
 namespace sigmasweep::plot {
 
@@ -24,12 +24,11 @@ class Curves {
   const std::string& note() const { return note_; }
 
  private:
+  /// A point that is the mean of several rows.
   struct Mean {
     std::size_t curve;
     double x;
-    std::uint64_t n = 0;
-    double mean = 0.0, squares = 0.0;  ///< sum of squared deviations from the mean
-    void add(double y);
+    std::vector<double> values{};  ///< the y of its rows
   };
   std::size_t curve_of(const Row& row);
   void add_to_mean(std::size_t curve, const Row& row, const Point& point);

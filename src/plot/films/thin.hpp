@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "plot/figure.hpp"
+#include "plot/figure/figure.hpp"
 
 namespace sigmasweep::plot {
 

@@ -1,4 +1,4 @@
-#include "plot/coordinate.hpp"
+#include "plot/figure/coordinate.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

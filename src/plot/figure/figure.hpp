@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "plot/fit.hpp"
+#include "plot/figure/fit.hpp"
 #include "sigmasweep/model/row.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 

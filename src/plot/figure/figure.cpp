@@ -1,4 +1,4 @@
-#include "plot/figure.hpp"
+#include "plot/figure/figure.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -6,9 +6,9 @@
 #include <map>
 #include <optional>
 
-#include "plot/coordinate.hpp"
-#include "plot/curves.hpp"
-#include "plot/guides.hpp"
+#include "plot/figure/coordinate.hpp"
+#include "plot/figure/curves.hpp"
+#include "plot/figure/guides.hpp"
 #include "plot/labels.hpp"
 #include "plot/range.hpp"
 #include "plot/row_choice.hpp"

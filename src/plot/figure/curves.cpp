@@ -1,9 +1,11 @@
-#include "plot/curves.hpp"
+#include "plot/figure/curves.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
+#include <ranges>
 
 #include "plot/labels.hpp"
 
@@ -76,12 +78,6 @@ std::size_t Curves::add(const Row& row, const Point& point) {
   return curve;
 }
 
-void Curves::Mean::add(double y) {  // Welford
-  const double delta = y - mean;
-  mean += delta / static_cast<double>(++n);
-  squares += delta * (y - mean);
-}
-
 /// Rows that agree in x and in mean_over differ in something else, and are not averaged with each other: the first of
 /// them belongs to one mean, the second to another.
 void Curves::add_to_mean(std::size_t curve, const Row& row, const Point& point) {
@@ -91,20 +87,25 @@ void Curves::add_to_mean(std::size_t curve, const Row& row, const Point& point) 
   const std::uint64_t which = seen_[{place, std::move(over)}]++;
   const auto [group, fresh] = groups_.try_emplace({place, which}, means_.size());
   if (fresh) means_.push_back({.curve = curve, .x = point.x});
-  means_[group->second].add(point.y);
+  means_[group->second].values.push_back(point.y);
 }
 
 void Curves::take_means() {
   if (means_.empty()) return;
   for (const Mean& m : means_) {
-    const double deviation = m.n > 1 ? std::sqrt(m.squares / static_cast<double>(m.n - 1)) : 0.0;
-    curves_[m.curve].points.push_back({m.x, m.mean, deviation});
+    if (m.values.size() == 1) {
+      curves_[m.curve].points.push_back({m.x, m.values.front()});
+      continue;
+    }
+    const auto [mean, variance] = boost::math::statistics::mean_and_sample_variance(m.values);
+    curves_[m.curve].points.push_back({m.x, mean, std::sqrt(variance)});
   }
   std::string over;
   for (const Field* field : mean_over_) append(over, symbol_of(*field));
-  const auto [least, most] = std::ranges::minmax_element(means_, {}, &Mean::n);
+  const auto [min, max] =
+      std::ranges::minmax(means_ | std::views::transform([](const Mean& m) { return m.values.size(); }));
   note_ = fmt::format("Means over {}, n = {}, bars: standard deviation", over,
-                      least->n == most->n ? fmt::format("{}", most->n) : fmt::format("{} to {}", least->n, most->n));
+                      min == max ? fmt::format("{}", max) : fmt::format("{} to {}", min, max));
 }
 
 std::vector<Curve> Curves::take() {

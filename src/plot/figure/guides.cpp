@@ -1,10 +1,10 @@
-#include "plot/guides.hpp"
+#include "plot/figure/guides.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
-#include "plot/coordinate.hpp"
+#include "plot/figure/coordinate.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::plot {

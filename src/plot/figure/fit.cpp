@@ -1,11 +1,11 @@
-#include "plot/fit.hpp"
+#include "plot/figure/fit.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "plot/figure.hpp"
+#include "plot/figure/figure.hpp"
 
 namespace sigmasweep::plot {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "plot/figure.hpp"
+#include "plot/figure/figure.hpp"
 #include "sweep/expression/formula.hpp"
 #include "sweep/expression/where.hpp"
 

@@ -1,4 +1,4 @@
-#include "plot/thin.hpp"
+#include "plot/films/thin.hpp"
 
 #include <cmath>
 #include <utility>
