@@ -10,8 +10,8 @@
 /// Whether a scheme of fixed step is stable, from the theory of linear maps: no collision is computed for it.
 namespace sigmasweep {
 
-/// The factor by which a step of `integrator` multiplies the amplitude of a mode in the end, time in steps: the spectral
-/// radius of the step's map. k, c >= 0. Error 1e-9.
+/// The factor by which a step of `integrator` multiplies the amplitude of a mode in the end, time in steps: the
+/// spectral radius of the step's map. k, c >= 0. Error 1e-9.
 double growth_per_step(Integrator integrator, const Mode& mode);
 
 /// A column or a lattice while all of its contacts are closed.
