@@ -18,13 +18,9 @@ OWN_HEADER_NOT_FIRST = {"src/contact/pair_collision.cpp", "src/solve/fixed_step/
                         "src/solve/fixed_step/vibrated_column.cpp"}
 FUNCTIONS_ELSEWHERE = {
     "include/sigmasweep/sweep/sweep.hpp",
-    "include/sigmasweep/trajectory/trajectory.hpp",
     "src/assembly/lattice.hpp",
     "src/solve/exact/lattice/events.hpp",
     "src/solve/exact/lattice/vibrated.hpp",
-    "src/solve/observer/lattice_samples.hpp",
-    "src/solve/observer/samples.hpp",
-    "src/solve/vibrated.hpp",
     "src/store/build_info.hpp",
     "src/store/table/table.hpp",
     "src/studies/precision/measure.hpp",
@@ -41,23 +37,17 @@ ASK_FOR_THE_GEOMETRY = {
     "src/engine/report/unstable_rows.cpp",
     "src/model/names.cpp",
     "src/model/relevance.cpp",
-    "src/solve/exact/vibrated_with_accuracy.cpp",
     "src/solve/fixed_step/collision.cpp",
     "src/solve/fixed_step/stability.cpp",
-    "src/solve/simulate.cpp",
-    "src/solve/vibrated.cpp",
     "src/store/h5md.cpp",
     "src/studies/precision/measure.cpp",
     "src/studies/precision/plot.cpp",
     "src/studies/precision/vibrated.cpp",
-    "src/sweep/cost.cpp",
     "src/sweep/spec/axis.cpp",
     "src/sweep/spec/check.cpp",
     "src/sweep/spec/trajectory.cpp",
     "src/sweep/spec/values.cpp",
     "src/sweep/sweep.cpp",
-    "src/trajectory/record.cpp",
-    "src/trajectory/record_lattice.cpp",
 }
 
 

@@ -16,7 +16,7 @@
 #include "engine/phases/report.hpp"
 #include "engine/phases/write.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/sweep/cost.hpp"
+#include "sigmasweep/solve/cost.hpp"
 #include "store/table/table.hpp"
 
 namespace sigmasweep {

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "assembly/column.hpp"
+#include "solve/exact/linear/collision.hpp"
+#include "solve/exact/power_law/collision.hpp"
+#include "solve/hard_spheres/collision.hpp"
 #include "solve/observer/samples.hpp"
 
 /// The books of a collision, kept from its film alone: energy and momentum, and what dashpots and the wall have done

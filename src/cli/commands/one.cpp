@@ -12,7 +12,7 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/relevance.hpp"
-#include "sigmasweep/sweep/cost.hpp"
+#include "sigmasweep/solve/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/rows/json.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "cli/command.hpp"
 #include "engine/report/unstable_rows.hpp"
-#include "sigmasweep/sweep/cost.hpp"
+#include "sigmasweep/solve/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "sweep/schedule.hpp"
 

@@ -13,7 +13,7 @@
 #include "engine/report/progress.hpp"
 #include "engine/report/unstable_rows.hpp"
 #include "mpi/run_collective.hpp"
-#include "sigmasweep/sweep/cost.hpp"
+#include "sigmasweep/solve/cost.hpp"
 #include "store/crash_notes.hpp"
 #include "sweep/schedule.hpp"
 

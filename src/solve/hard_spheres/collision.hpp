@@ -11,6 +11,8 @@
 /// largest-relative-velocity rule (LRV): of all touching pairs that approach, the fastest is next.
 namespace sigmasweep {
 
+class Samples;
+
 struct HardSphereOptions {
   double settle = 1e-13;              ///< stop once later collisions can change eps_eff by less than this; 0: never
   std::uint64_t collision_limit = 0;  ///< 0: 1e7 + 10 N^2, but at most 2e8
@@ -40,5 +42,9 @@ Outcome<double> hard_sphere_collision(const Column<double>& column, const HardSp
 /// same, change in their last bits (that shows the condition of the problem) and same_time changes, a bound on the
 /// rounding of the collisions, and what is left to dissipate at the end.
 SimulationResult simulate_hard_spheres(const Parameters& parameters, ComputeBudget* budget = nullptr);
+
+/// The run seen by the samples, and over with the last of them. The clock starts with the fall. Units: the gap and the
+/// speed; where there is no gap, any length.
+void observe_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples);
 
 }  // namespace sigmasweep

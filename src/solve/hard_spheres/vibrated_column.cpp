@@ -7,7 +7,6 @@
 #include "solve/hard_spheres/column.hpp"
 #include "solve/observer/samples.hpp"
 #include "solve/observer/vibration_statistics.hpp"
-#include "solve/vibrated.hpp"
 
 namespace sigmasweep {
 namespace {

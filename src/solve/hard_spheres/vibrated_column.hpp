@@ -17,6 +17,8 @@
 
 namespace sigmasweep {
 
+class VibratedSamples;
+
 /// Hard spheres on a plate that vibrates under gravity, from collision to collision; the beads start at rest relative
 /// to the plate, all gaps as in the column. Lengths and times are the plate's, masses are over the mean bead's,
 /// contacts are numbered 0 (the plate) to N-1. The state is each contact's gap and closing speed at its own time.
@@ -133,5 +135,13 @@ class VibratedHardSpheres {
   std::uint64_t collisions_ = 0, period_began_ = 0, next_try_ = 0;
   std::vector<double> touching_;  ///< closing speeds of a run of touching contacts
 };
+
+/// The run of a vibrated column of hard spheres: SimulationResult::vibration, contacts, end and status. A column that
+/// collapses is Status::collapsed, and so is one whose beads come to rest on the plate. With EdRule::tc there is no
+/// such end of bouncing: a bead goes on in hops of about tc, so that a period takes some 1/(f tc) collisions a bead.
+/// Status::event_limit after 2e7 collisions in one period, as of elastic beads that the plate only just lifts.
+SimulationResult simulate_vibrated_hard_spheres(const Parameters& parameters, ComputeBudget* budget = nullptr);
+/// The same seen by the samples, in vibration_units(), relative to the plate; over with the last sample.
+void observe_vibrated_hard_spheres(const Parameters& parameters, VibratedSamples& samples);
 
 }  // namespace sigmasweep

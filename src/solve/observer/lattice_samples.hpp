@@ -1,12 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "assembly/lattice.hpp"
 #include "base/vec2.hpp"
 #include "solve/observer/samples.hpp"
 
@@ -40,9 +41,25 @@ class LatticeSamples {
   std::vector<Vec2<double>> q_, v_;
 };
 
-/// The solvers' runs with a watcher, over with its last sample.
-void observe_lattice(const Lattice<double>& lattice, LatticeSamples& samples);
-/// Of geometry vibrated_lattice, by its integrator, in vibration_units(); relative to the plate.
-void observe_vibrated_lattice(const Parameters& parameters, LatticeSamples& samples);
+/// LatticeSamples of a vibrated lattice, whose solvers keep time within the plate's period and say when one is over.
+class VibratedLatticeSamples {
+ public:
+  static constexpr bool observes = true;
+
+  VibratedLatticeSamples(LatticeSamples& samples, double period) : samples_(samples), period_(period) {}
+
+  template <class State>
+  void until(double time, State&& state) {
+    const double begun = static_cast<double>(periods_) * period_;
+    samples_.until(begun + time, [&](double when, auto q, auto v) { state(std::min(when - begun, time), q, v); });
+  }
+  void end_period(double /*energy*/, double /*in*/, double /*lost*/) { ++periods_; }
+  bool done() const { return samples_.done(); }
+
+ private:
+  LatticeSamples& samples_;
+  double period_;
+  std::int64_t periods_ = 0;
+};
 
 }  // namespace sigmasweep

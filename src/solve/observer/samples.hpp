@@ -8,9 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "assembly/column.hpp"
-#include "sigmasweep/model/parameters.hpp"
-
 namespace sigmasweep {
 
 /// The watcher of a run that nobody records: solvers leave out what they would show it.
@@ -69,17 +66,5 @@ class VibratedSamples {
   double period_;
   std::int64_t periods_ = 0;
 };
-
-/// The solvers' runs with a watcher. Times in the column's units; each says where its clock starts.
-/// At the first contact with the wall.
-void observe_exact(const Column<double>& column, Samples& samples);
-/// At the start, in units of the gap over the speed; overlaps in gaps, rates in speeds. Where there is no gap, any
-/// length does as the unit.
-void observe_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples);
-/// At the first contact with the wall.
-void observe_nonlinear(const Column<double>& column, Samples& samples);
-/// At the start, in vibration_units(). Overlaps and rates are relative to the plate.
-void observe_vibrated_soft_spheres(const Parameters& parameters, VibratedSamples& samples);
-void observe_vibrated_hard_spheres(const Parameters& parameters, VibratedSamples& samples);
 
 }  // namespace sigmasweep

@@ -5,7 +5,7 @@
 
 #include "base/thread_clock.hpp"
 #include "sigmasweep/model/geometry.hpp"
-#include "sigmasweep/sweep/cost.hpp"
+#include "sigmasweep/solve/cost.hpp"
 #include "studies/precision/references.hpp"
 
 namespace sigmasweep {

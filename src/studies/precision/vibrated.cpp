@@ -5,7 +5,7 @@
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/solve/simulate.hpp"
-#include "solve/vibrated.hpp"
+#include "solve/exact/vibrated_with_accuracy.hpp"
 #include "studies/precision/subject.hpp"
 
 /// Columns and lattices on a plate that vibrates.
@@ -19,7 +19,9 @@ ReferenceValue answer(const SimulationResult& c, const Parameters& p) {
 }
 
 Reference by_steps(double accuracy) {
-  return [accuracy](const Parameters& p) { return answer(vibrated_by_steps(p, accuracy), p); };
+  return [accuracy](const Parameters& p) {
+    return answer(is_lattice(p) ? vibrated_lattice_by_steps(p, accuracy) : vibrated_column_by_steps(p, accuracy), p);
+  };
 }
 
 /// Columns under the linear law: the integrator `exact` itself.

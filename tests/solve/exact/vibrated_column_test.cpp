@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
-#include "solve/vibrated.hpp"
 
 /// Soft beads on a vibrated plate, under the linear law.
 namespace sigmasweep {
@@ -193,14 +193,14 @@ TEST(VibratedSoftSpheres, NonlinearLaws) {
     EXPECT_LT(largest_difference(record(p, times), by_rk4), 1e-4 * p.A0);
     p.periods = 3;
     p.transient = 0;
-    const SimulationResult exact = simulate_vibrated(p);
+    const SimulationResult exact = simulate(p);
     ASSERT_EQ(exact.status, Status::ok);
     EXPECT_LT(std::fabs(exact.vibration.imbalance), 1e-9);  // local errors of 1e-12, some thousand steps
     p.integrator = Integrator::verlet;
     double before = INFINITY;
     for (const double steps : {50.0, 500.0, 5000.0}) {
       p.steps_per_tc = steps;
-      const SimulationResult c = simulate_vibrated(p);
+      const SimulationResult c = simulate(p);
       ASSERT_EQ(c.status, Status::ok);
       EXPECT_LT(std::fabs(c.vibration.imbalance), before / 3.0) << steps;
       before = std::fabs(c.vibration.imbalance);
@@ -218,7 +218,7 @@ TEST(VibratedSoftSpheres, EnergyBalances) {
         Parameters p = vibrated(10, epsilon, tc, alpha);
         p.periods = 12;
         p.transient = 2;
-        const SimulationResult c = simulate_vibrated(p);
+        const SimulationResult c = simulate(p);
         ASSERT_EQ(c.status, Status::ok) << epsilon << ' ' << tc << ' ' << alpha;
         EXPECT_LT(std::fabs(c.vibration.imbalance), 1e-12) << epsilon << ' ' << tc << ' ' << alpha;
         EXPECT_GE(c.vibration.power_lost, 0.0);
@@ -243,7 +243,7 @@ TEST(VibratedSoftSpheres, ExtremeCases) {
     Parameters p = vibrated(c.N, c.epsilon, c.tc, c.alpha, c.frequency);
     p.periods = c.periods;
     p.transient = 2;
-    const SimulationResult result = simulate_vibrated(p);
+    const SimulationResult result = simulate(p);
     ASSERT_EQ(result.status, Status::ok);
     EXPECT_TRUE(std::isfinite(result.vibration.h_cm));
     EXPECT_LT(std::fabs(result.vibration.imbalance), 1e-11);
@@ -257,12 +257,12 @@ TEST(VibratedSoftSpheres, StepsThatMakeEnergyAreUnstable) {
   p.transient = 0;
   p.integrator = Integrator::gear5;
   p.steps_per_tc = 16.0;
-  EXPECT_EQ(simulate_vibrated(p).status, Status::unstable);
+  EXPECT_EQ(simulate(p).status, Status::unstable);
   p.steps_per_tc = 200.0;
-  EXPECT_EQ(simulate_vibrated(p).status, Status::ok);
+  EXPECT_EQ(simulate(p).status, Status::ok);
   p.integrator = Integrator::verlet;
   p.steps_per_tc = 4.0;
-  EXPECT_EQ(simulate_vibrated(p).status, Status::unstable);
+  EXPECT_EQ(simulate(p).status, Status::unstable);
 }
 
 /// A column that never leaves the plate, of which the largest overlap is known.
@@ -270,10 +270,10 @@ TEST(VibratedSoftSpheres, LargestOverlapOfWhatLies) {
   Parameters p = vibrated(1, 0.05, 1e-3, 0.9, 5.0);
   p.periods = 1;
   p.transient = 0;
-  const double by_modes = simulate_vibrated(p).x_max;
+  const double by_modes = simulate(p).x_max;
   p.integrator = Integrator::rk4;
   p.steps_per_tc = 1000.0;
-  EXPECT_NEAR(by_modes, simulate_vibrated(p).x_max, 1e-3 * by_modes);
+  EXPECT_NEAR(by_modes, simulate(p).x_max, 1e-3 * by_modes);
 }
 
 /// Below g nothing takes off: the column lies on the plate, compressed by what it carries.
@@ -281,7 +281,7 @@ TEST(VibratedSoftSpheres, LiesStillBelowGravity) {
   Parameters p = vibrated(5, 0.8, 1e-5, 0.9);
   p.periods = 50;
   p.transient = 10;
-  const SimulationResult c = simulate_vibrated(p);
+  const SimulationResult c = simulate(p);
   ASSERT_EQ(c.status, Status::ok);
   // Quasi-static: contact k carries the beads above it, x_k = (N - k) g m/K; the mean over a period of the plate's sine
   // vanishes. K/m = (pi^2 + ln^2 eps)/(2 tc^2).

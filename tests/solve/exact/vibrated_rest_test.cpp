@@ -7,10 +7,10 @@
 
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 #include "solve/hard_spheres/vibrated.hpp"
 #include "solve/hard_spheres/vibrated_column.hpp"
 #include "solve/plain_vibrated.hpp"
-#include "solve/vibrated.hpp"
 
 /// Hard spheres that rest on the vibrating plate once in a while: a ball that loses all, and columns that do as it
 /// does.
@@ -117,7 +117,7 @@ class SoftLanding : public testing::TestWithParam<double> {
   void expect_locked(Parameters p) const {
     p.periods = 6 * ball.periods();
     p.transient = ball.periods();
-    const SimulationResult c = simulate_vibrated(complete(p, GapParameter::s0));
+    const SimulationResult c = simulate(complete(p, GapParameter::s0));
     ASSERT_TRUE(is_success(c.status)) << name_of(c.status);
     EXPECT_NEAR(c.vibration.cm_period * p.frequency, ball.periods(), 1e-12);
     // The centre of mass bounces no higher than the impact's energy takes it under the load at landing, which is that

@@ -11,7 +11,7 @@
 
 #include "assembly/column.hpp"
 #include "sigmasweep/assembly/complete.hpp"
-#include "solve/vibrated.hpp"
+#include "solve/hard_spheres/vibrated_column.hpp"
 
 /// What tests of hard spheres on a vibrating plate share. Natural units: 1/omega and g/omega^2.
 namespace sigmasweep {

@@ -14,7 +14,6 @@
 #include "solve/hard_spheres/vibrated.hpp"
 #include "solve/hard_spheres/vibrated_column.hpp"
 #include "solve/plain_vibrated.hpp"
-#include "solve/vibrated.hpp"
 
 /// Hard spheres on a vibrating plate.
 namespace sigmasweep {

@@ -7,7 +7,7 @@
 
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/relevance.hpp"
-#include "sigmasweep/sweep/cost.hpp"
+#include "sigmasweep/solve/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "support/spec_refusal.hpp"
 

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "assembly/lattice.hpp"
-#include "solve/fixed_step/collision.hpp"
 #include "solve/to_si.hpp"
 #include "solve/twin_runs.hpp"
 
@@ -74,17 +73,13 @@ SimulationResult pair_of_runs(const Parameters& p, const LatticeOptions& options
 /// Larger local errors hardly save time, and in rows of beads side by side are motions that do not settle.
 constexpr double coarsest = 1e-8;
 
-SimulationResult exact(const Parameters& p, ComputeBudget* budget) {
+}  // namespace
+
+SimulationResult simulate_lattice(const Parameters& p, ComputeBudget* budget) {
   return to_tolerance(p.tolerance, [&]<class Real>(double accuracy) {
     return pair_of_runs<Real>(
         p, {.accuracy = std::min(accuracy, coarsest), .settle = 1e-3 * p.tolerance, .budget = budget});
   });
-}
-
-}  // namespace
-
-SimulationResult simulate_lattice(const Parameters& p, ComputeBudget* budget) {
-  return p.integrator == Integrator::exact ? exact(p, budget) : simulate_fixed_step(p, budget);
 }
 
 }  // namespace sigmasweep

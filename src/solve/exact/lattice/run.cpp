@@ -1,3 +1,5 @@
+#include "solve/exact/lattice/run.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

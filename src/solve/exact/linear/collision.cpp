@@ -144,4 +144,13 @@ SimulationResult simulate_exact(const Parameters& p, ComputeBudget* budget) {
   return c;
 }
 
+void observe_exact(const Column<double>& column, Samples& samples) {
+  ExactOptions options;
+  options.settle = 0.0;  // to the last sample
+  if (column.is_uniform())
+    ExactColumn<double, 0, false>(column, options).run(samples);
+  else
+    ExactColumn<double, 0, true>(column, options).run(samples);
+}
+
 }  // namespace sigmasweep

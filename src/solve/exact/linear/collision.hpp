@@ -12,6 +12,8 @@
 /// coefficients, so it is propagated to rounding error, and the events are found on the solution's own polynomial.
 namespace sigmasweep {
 
+class Samples;
+
 struct ExactOptions {
   double settle = 1e-13;          ///< stop once later collisions can change eps_eff by less than this; 0: never
   std::uint64_t event_limit = 0;  ///< contacts before giving up (and 8 times as many steps); 0: 100,000 + 20 N^2
@@ -37,5 +39,9 @@ Outcome<Real> exact_collision_from(const Column<Real>& column, std::span<const R
 /// wider types, if about a second is enough for them. Status tolerance_missed with the smallest error found where none
 /// meets the tolerance. contacts, t_k and x_max are those up to the stop at `settle` = tolerance/1000.
 SimulationResult simulate_exact(const Parameters& parameters, ComputeBudget* budget = nullptr);
+
+/// The run in doubles, seen by the samples and over with the last of them. The clock starts at the first contact with
+/// the wall.
+void observe_exact(const Column<double>& column, Samples& samples);
 
 }  // namespace sigmasweep

@@ -57,4 +57,10 @@ SimulationResult simulate_nonlinear(const Parameters& p, ComputeBudget* budget) 
   });
 }
 
+void observe_nonlinear(const Column<double>& column, Samples& samples) {
+  NonlinearOptions options;
+  options.settle = 0.0;  // to the last sample
+  NonlinearColumn<double>(column, options).run(samples);
+}
+
 }  // namespace sigmasweep

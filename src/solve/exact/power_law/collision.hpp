@@ -12,6 +12,8 @@
 /// is about to open, the force is not smooth in time but in s = x^(1/q), and s is the independent variable.
 namespace sigmasweep {
 
+class Samples;
+
 struct NonlinearOptions {
   double accuracy = 1e-12;                ///< local error of a step, in units of the speed and of speed times tc
   double settle = 1e-13;                  ///< stop once later collisions can change eps_eff by less than this; 0: never
@@ -29,5 +31,9 @@ Outcome<Real> nonlinear_collision(const Column<Real>& column, const NonlinearOpt
 /// the other, and what is left to dissipate. Where that is above the tolerance finer pairs of runs follow, in long
 /// double in the end; status tolerance_missed with the smallest error found where none meets the tolerance.
 SimulationResult simulate_nonlinear(const Parameters& parameters, ComputeBudget* budget = nullptr);
+
+/// The run in doubles, seen by the samples and over with the last of them. The clock starts at the first contact with
+/// the wall.
+void observe_nonlinear(const Column<double>& column, Samples& samples);
 
 }  // namespace sigmasweep

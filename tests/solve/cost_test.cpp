@@ -1,4 +1,4 @@
-#include "sigmasweep/sweep/cost.hpp"
+#include "sigmasweep/solve/cost.hpp"
 
 #include <cmath>
 

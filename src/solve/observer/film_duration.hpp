@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sigmasweep/model/parameters.hpp"
+#include "sigmasweep/model/result.hpp"
+
+/// Durations of films that show a run, s; NaN where there is no result. See show_time() for the rules.
+namespace sigmasweep {
+
+double film_of_column(const Parameters& parameters, const SimulationResult& collision);
+double film_of_lattice(const Parameters& parameters, const SimulationResult& collision);
+double film_on_plate(const Parameters& parameters, const SimulationResult& result);
+
+}  // namespace sigmasweep
