@@ -8,6 +8,12 @@ foreach(step "--install;${BUILD};--prefix;${WORK}/prefix"
     message(FATAL_ERROR "cmake ${step}\n${output}")
   endif()
 endforeach()
+# Installed are the headers of include/, and no others.
+file(GLOB_RECURSE installed RELATIVE "${WORK}/prefix/include" "${WORK}/prefix/include/*")
+file(GLOB_RECURSE meant RELATIVE "${OUTSIDE}/../../../include" "${OUTSIDE}/../../../include/*")
+if(NOT installed STREQUAL meant)
+  message(FATAL_ERROR "installed: ${installed}\nof include/: ${meant}")
+endif()
 execute_process(COMMAND "${WORK}/build/outside" RESULT_VARIABLE result)
 execute_process(COMMAND "${WORK}/prefix/bin/sigmasweep" --version RESULT_VARIABLE version_result)
 if(NOT result EQUAL 0 OR NOT version_result EQUAL 0)
