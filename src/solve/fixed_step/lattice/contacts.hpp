@@ -45,11 +45,15 @@ class LatticeContacts {
 
   std::size_t size() const { return x_.size(); }
   double deepest() const { return deepest_; }
-  /// Twice the energy of the springs, at the last evaluation.
+  /// Twice the energy of the springs, at the last evaluation. All that the loop needs is local, so that it vectorises.
   double elastic() const {
+    const Force force = force_;
+    const double K = K_, K_wall = K_wall_;
+    const double* x = x_.data();
+    const std::size_t pairs = pairs_, count = x_.size();
     double sum = 0.0;
-    for (std::size_t c = 0; c < x_.size(); ++c)
-      if (x_[c] > 0.0) sum += force_.elastic(c < pairs_ ? K_ : K_wall_, x_[c]);
+    for (std::size_t c = 0; c < count; ++c)
+      if (x[c] > 0.0) sum += force.elastic(c < pairs ? K : K_wall, x[c]);
     return sum;
   }
   /// What the dashpots took at the last evaluation, per step.
