@@ -9,13 +9,12 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <cstdio>
 #include <span>
 #include <thread>
 #include <vector>
 
+#include "base/atomic_file.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "store/files.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -60,7 +59,7 @@ SuspicionByRow blame_in(const std::vector<std::uint64_t>& numbers, const CrashNo
 
 SuspicionByRow begin_crash_notes(const std::string& table, const CrashNotesIdentity& identity, int rank_count,
                                  bool fresh) {
-  const std::string path = name_of(table), part = path + ".part";
+  const std::string path = name_of(table);
   SuspicionByRow blame;
   if (!fresh) blame = blame_in(read_numbers(path), identity);
   std::vector<std::uint64_t> numbers(line * (1 + static_cast<std::size_t>(rank_count)));
@@ -70,12 +69,11 @@ SuspicionByRow begin_crash_notes(const std::string& table, const CrashNotesIdent
   numbers[run] = identity.run;
   numbers[ranks] = static_cast<std::uint64_t>(rank_count);
   for (const auto& [row, weight] : blame) numbers.insert(numbers.end(), {row, weight});
-  const File file(part, O_RDWR | O_CREAT | O_TRUNC);
-  int error = file.is_open() ? write_at(file.fd(), std::as_bytes(std::span(numbers)), 0) : errno;
-  if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return blame;
-  ::unlink(part.c_str());
-  throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
+  AtomicFile file(path);
+  int error = write_at(file.fd(), std::as_bytes(std::span(numbers)), 0);
+  if (error == 0) error = file.rename();
+  if (error != 0) throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
+  return blame;
 }
 
 void end_crash_notes(const std::string& table, bool complete) noexcept {

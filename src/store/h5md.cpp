@@ -15,13 +15,13 @@
 #include <numeric>
 
 #include "assembly/plate_motion.hpp"
+#include "base/atomic_file.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/build_info.hpp"
-#include "store/files.hpp"
 #include "store/hdf5/tree.hpp"
 #include "store/table/types.hpp"
 

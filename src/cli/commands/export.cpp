@@ -2,9 +2,9 @@
 #include <fmt/ranges.h>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 
+#include "base/atomic_file.hpp"
 #include "cli/command.hpp"
 #include "engine/ledger/stored_sweep.hpp"
 #include "sigmasweep/base/errors.hpp"
@@ -42,21 +42,13 @@ int export_table(const ExportOptions& options) {
     write(stdout, *writer, stored.table.rows);
     return 0;
   }
-  const std::string part = options.output + ".part";  // complete or not there
-  std::FILE* file = std::fopen(part.c_str(), "wb");
-  if (file == nullptr) throw OutputError(fmt::format("cannot create {}: {}", options.output, std::strerror(errno)));
+  AtomicFile output(options.output);
+  std::FILE* file = std::fopen(output.part().c_str(), "wb");
+  if (file == nullptr) throw OutputError(fmt::format("cannot create {}: {}", options.output, reason(errno)));
   write(file, *writer, stored.table.rows);
   const bool written = std::fflush(file) == 0 && std::ferror(file) == 0;
-  if (std::fclose(file) != 0 || !written) {
-    std::remove(part.c_str());
-    throw IoError(fmt::format("cannot write {}", options.output));
-  }
-  std::error_code error;
-  std::filesystem::rename(part, options.output, error);
-  if (error) {
-    std::remove(part.c_str());
-    throw OutputError(fmt::format("cannot create {}: {}", options.output, error.message()));
-  }
+  if (std::fclose(file) != 0 || !written) throw IoError(fmt::format("cannot write {}", options.output));
+  output.publish();
   return 0;
 }
 

@@ -1,9 +1,6 @@
 #include "plot/gnuplot/gnuplot.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <array>
 #include <cctype>
@@ -11,10 +8,11 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <system_error>
 
+#include "base/atomic_file.hpp"
+#include "base/process.hpp"
 #include "sigmasweep/base/errors.hpp"
-
-extern char** environ;
 
 namespace sigmasweep::plot {
 namespace {
@@ -22,63 +20,26 @@ namespace {
 struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-using File = std::unique_ptr<std::FILE, Close>;
+using Stream = std::unique_ptr<std::FILE, Close>;
 
-File temporary_file() {
-  File file(std::tmpfile());
+Stream temporary_file() {
+  Stream file(std::tmpfile());
   if (!file) throw OutputError(fmt::format("cannot make a temporary file: {}", std::strerror(errno)));
   return file;
 }
 
-/// A file that goes away again unless it is kept.
-class Draft {
- public:
-  explicit Draft(const std::string& path) : path_(path), part_(fmt::format("{}.part{}", path, ::getpid())) {
-    file_.reset(std::fopen(part_.c_str(), "wb"));
-    if (!file_) throw OutputError(fmt::format("cannot create {}: {}", path_, std::strerror(errno)));
+/// Runs gnuplot with these files as its standard streams. Returns its exit status, -1 after a signal.
+int run(const StandardStreams& streams) {
+  try {
+    return Process({"gnuplot", "-d"}, streams).wait();  // -d: no .gnuplot of the user's
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::no_such_file_or_directory)
+      throw OutputError("gnuplot is not installed (Debian: gnuplot-nox)");
+    throw OutputError(fmt::format("cannot start gnuplot: {}", error.code().message()));
   }
-  ~Draft() {
-    if (!kept_) std::remove(part_.c_str());
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  int descriptor() const { return ::fileno(file_.get()); }
-  bool empty() const { return ::lseek(descriptor(), 0, SEEK_END) == 0; }
-  void keep() {
-    if (std::rename(part_.c_str(), path_.c_str()) != 0)
-      throw OutputError(fmt::format("cannot create {}: {}", path_, std::strerror(errno)));
-    kept_ = true;
-  }
-
- private:
-  std::string path_, part_;
-  File file_;
-  bool kept_ = false;
-};
-
-/// Runs gnuplot with these files as its standard input, output and error; its exit status, -1 after a signal.
-int spawn_gnuplot(int in, int out, int err) {
-  posix_spawn_file_actions_t actions;
-  if (posix_spawn_file_actions_init(&actions) != 0) throw OutputError("cannot start gnuplot: out of memory");
-  const std::unique_ptr<posix_spawn_file_actions_t, int (*)(posix_spawn_file_actions_t*)> owner(
-      &actions, posix_spawn_file_actions_destroy);
-  if (posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO) != 0 ||
-      posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO) != 0 ||
-      posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO) != 0)
-    throw OutputError("cannot start gnuplot: out of memory");
-  std::array<char, 8> name{"gnuplot"};
-  std::array<char, 3> defaults{"-d"};  // no .gnuplot of the user's
-  const std::array<char*, 3> arguments{name.data(), defaults.data(), nullptr};
-  pid_t child = -1;
-  const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
-  if (failure == ENOENT) throw OutputError("gnuplot is not installed (Debian: gnuplot-nox)");
-  if (failure != 0) throw OutputError(fmt::format("cannot start gnuplot: {}", std::strerror(failure)));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw OutputError(fmt::format("lost gnuplot: {}", std::strerror(errno)));
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
+
+bool is_empty(const AtomicFile& file) { return ::lseek(file.fd(), 0, SEEK_END) == 0; }
 
 /// Its complaint in one line.
 std::string complaint(std::FILE* err) {
@@ -127,15 +88,15 @@ std::string quoted(std::string_view text) {
 }
 
 void run_gnuplot(const std::string& script, const std::string& path) {
-  const File in = temporary_file(), err = temporary_file();
+  const Stream in = temporary_file(), err = temporary_file();
   if (std::fwrite(script.data(), 1, script.size(), in.get()) != script.size() || std::fflush(in.get()) != 0)
     throw OutputError(fmt::format("cannot write gnuplot's commands: {}", std::strerror(errno)));
   std::rewind(in.get());
-  Draft picture(path);
-  const int status = spawn_gnuplot(::fileno(in.get()), picture.descriptor(), ::fileno(err.get()));
-  if (status != 0 || picture.empty())
+  AtomicFile picture(path, fmt::format(".part{}", ::getpid()));  // several processes may draw the same picture
+  const int status = run({.in = ::fileno(in.get()), .out = picture.fd(), .err = ::fileno(err.get())});
+  if (status != 0 || is_empty(picture))
     throw OutputError(fmt::format("gnuplot could not draw {} (status {}): {}", path, status, complaint(err.get())));
-  picture.keep();
+  picture.publish();
 }
 
 }  // namespace sigmasweep::plot

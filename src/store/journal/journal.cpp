@@ -9,11 +9,10 @@
 #include <cassert>
 #include <cerrno>
 #include <chrono>
-#include <cstdio>
 #include <span>
 
+#include "base/atomic_file.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "store/files.hpp"
 #include "store/journal/lock.hpp"
 #include "store/journal/record.hpp"
 
@@ -111,9 +110,7 @@ void Journal::Impl::replace(const JournalHeader& old, const Carry& carry) {
 
 /// Written and synced under another name first: a journal always has a whole header, and the rows that it begins with.
 void Journal::Impl::create(const std::vector<Row>& rows) {
-  const std::string part = path + ".part";
-  File made(part, O_RDWR | O_CREAT | O_TRUNC);
-  if (!made.is_open()) throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
+  AtomicFile made(path);
   const JournalHeader header = make_header(identity);
   records = 0;
   int error = write_at(made.fd(), std::as_bytes(std::span(&header, 1)), 0);
@@ -123,13 +120,10 @@ void Journal::Impl::create(const std::vector<Row>& rows) {
     error = write_at(made.fd(), buffer, end());
     ++records;
   }
-  if (error == 0 && ::fsync(made.fd()) != 0) error = errno;
-  if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(part.c_str());
-    throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
-  }
-  file = std::move(made);
+  if (error == 0) error = made.sync();
+  if (error == 0) error = made.rename();
+  if (error != 0) throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
+  file = made.release();
   sync_directory_of(path);
 }
 

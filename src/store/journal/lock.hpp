@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "store/files.hpp"
+#include "base/file.hpp"
 
 namespace sigmasweep {
 

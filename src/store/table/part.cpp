@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "store/files.hpp"
+#include "base/file.hpp"
 #include "store/hdf5/attributes.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"

@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/file.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "store/files.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"

@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
+#include "base/file.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "store/files.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -5,13 +5,13 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
+#include "base/atomic_file.hpp"
 #include "mpi/rank_group.hpp"
-#include "store/files.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/table/packing.hpp"
 #include "store/table/part.hpp"
@@ -20,6 +20,10 @@
 
 namespace sigmasweep {
 namespace {
+
+constexpr const char* part_suffix = ".part";
+
+std::string part_of(const std::string& path) { return path + part_suffix; }
 
 /// What Open MPI keeps beside a file while ranks have it open together, and leaves there if they are killed.
 void remove_company_of(const std::string& part) {
@@ -40,14 +44,14 @@ void remove_company_of(const std::string& part) {
 
 /// Rank 0 makes an empty file and finds out whether the disk has room for what it will be, before HDF5 is asked to do
 /// anything: with a full disk HDF5 over MPI-IO reports success all along.
-void prepare(const std::string& path, const std::string& part, std::uint64_t bytes) {
+void prepare(const std::string& path, std::optional<AtomicFile>& file, std::uint64_t bytes) {
   struct stat there {};
   if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
     throw OutputError(fmt::format("{} is there already and is no file", path));
-  remove_company_of(part);
-  if (!File(part, O_RDWR | O_CREAT | O_TRUNC).is_open())
-    throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
-  reserve_space(part, bytes);
+  remove_company_of(part_of(path));
+  file.emplace(path, part_suffix);
+  file->close();
+  reserve_space(file->part(), bytes);
 }
 
 /// The ranks' file systems may differ, and a rank that cannot open the file would leave the others waiting for it.
@@ -89,33 +93,28 @@ void read_back(const RankGroup& group, const std::string& part, std::span<const 
 }
 
 /// From here on PATH is there, whole, whatever happens.
-void publish(const std::string& part, const std::string& path) {
-  seal(part);
-  if (std::rename(part.c_str(), path.c_str()) != 0)
-    throw OutputError(fmt::format("cannot rename {}: {}", part, reason(errno)));
+void publish(AtomicFile& file, const std::string& path) {
+  seal(file.part());
+  file.publish();
   sync_directory_of(path);
 }
 
 void write_collective(const RankGroup& group, const std::string& path, const TableInfo& info,
                       std::span<const Section> sections, std::uint64_t total_rows, const Block& block) {
-  const std::string part = path + ".part";
+  const std::string part = part_of(path);
   std::uint64_t bytes = (std::uint64_t{1} << 16) + 2 * (info.title.size() + info.spec_text.size());
   for (const Section& section : sections) bytes += total_rows * packed_size(section.fields);
   check_blocks(group, info.slice, total_rows, block);
-  try {
-    group.run_collective([&] {
-      if (group.rank() == 0) prepare(path, part, bytes);
-    });
-    group.run_collective([&] { see_same_file(part, group.rank()); });
-    const auto checksums = write_part(group, part, info, sections, total_rows, block);
-    read_back(group, part, sections, total_rows, block, checksums);
-    group.run_collective([&] {
-      if (group.rank() == 0) publish(part, path);
-    });
-  } catch (const Error&) {
-    if (group.rank() == 0) ::unlink(part.c_str());
-    throw;
-  }
+  std::optional<AtomicFile> file;  // on rank 0; it removes what is not published
+  group.run_collective([&] {
+    if (group.rank() == 0) prepare(path, file, bytes);
+  });
+  group.run_collective([&] { see_same_file(part, group.rank()); });
+  const auto checksums = write_part(group, part, info, sections, total_rows, block);
+  read_back(group, part, sections, total_rows, block, checksums);
+  group.run_collective([&] {
+    if (group.rank() == 0) publish(*file, path);
+  });
 }
 
 }  // namespace

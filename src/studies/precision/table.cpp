@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/atomic_file.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "store/files.hpp"
 #include "store/hdf5/attributes.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/hdf5/tree.hpp"

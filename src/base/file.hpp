@@ -5,13 +5,15 @@
 #include <span>
 #include <string>
 
-/// The few system calls that journal and table need, with retries and an owner for the descriptor.
+/// System calls on files, with retries and an owner of the descriptor.
 namespace sigmasweep {
 
 /// Owner of a file descriptor; closed with it, and never inherited by another program.
 class File {
  public:
   File() = default;
+  /// Takes over a descriptor that is open.
+  explicit File(int fd) : fd_(fd) {}
   /// open(2). On failure is_open() is false and errno says why.
   File(const std::string& path, int flags);
   ~File() { close(); }
@@ -25,18 +27,14 @@ class File {
   int fd_ = -1;
 };
 
-/// What errno's value means, in words.
+/// The meaning of a value of errno, in words.
 std::string reason(int error);
 
-/// Writes all of `bytes` at `offset`. Returns 0, or errno of what went wrong (some bytes may then have been written).
+/// Writes all of `bytes` at `offset`. Returns 0, or the errno of a failure; some bytes may then have been written.
 int write_at(int fd, std::span<const std::byte> bytes, std::uint64_t offset);
 
 /// Reads up to bytes.size() bytes at `offset`, fewer only at the end of the file. Throws IoError naming `path`.
 std::size_t read_at(int fd, std::span<std::byte> bytes, std::uint64_t offset, const std::string& path);
-
-/// Makes PATH a file of these bytes: written to PATH.part, synced, renamed, so that PATH is complete or as it was
-/// before. Throws OutputError (cannot be created) or IoError (full disk, failed write).
-void write_whole_file(const std::string& path, std::span<const std::byte> bytes);
 
 /// Makes creation, renaming or removal of `path` itself survive a power failure. Throws IoError.
 void sync_directory_of(const std::string& path);

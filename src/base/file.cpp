@@ -1,11 +1,10 @@
-#include "store/files.hpp"
+#include "base/file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -55,20 +54,6 @@ std::size_t read_at(int fd, std::span<std::byte> bytes, std::uint64_t offset, co
     done += static_cast<std::size_t>(got);
   }
   return done;
-}
-
-void write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
-  const std::string part = path + ".part";
-  const File file(part, O_WRONLY | O_CREAT | O_TRUNC);
-  if (!file.is_open()) throw OutputError(fmt::format("cannot create {}: {}", part, reason(errno)));
-  int error = write_at(file.fd(), bytes, 0);
-  if (error == 0 && ::fsync(file.fd()) != 0) error = errno;
-  const bool written = error == 0;
-  if (written && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return sync_directory_of(path);
-  ::unlink(part.c_str());
-  if (written) throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
-  throw IoError(fmt::format("cannot write {}: {}", part, reason(error)));
 }
 
 void sync_directory_of(const std::string& path) {
