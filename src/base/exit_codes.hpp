@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the program tells the shell: sysexits.h (errors.hpp has those of the user's errors), and 1 for a run whose rows
-/// are not all well.
+/// Exit codes of the program: those of sysexits.h (errors.hpp has those of the user's errors), and 1 for a run some of
+/// whose rows failed.
 namespace sigmasweep::exit_code {
 
 constexpr int success = 0, some_rows_failed = 1, usage_error = 64, bad_data = 65, internal_error = 70, io_error = 74;

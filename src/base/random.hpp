@@ -15,7 +15,7 @@ constexpr std::uint64_t random_bits(std::uint64_t key, std::uint64_t k) {
   return z ^ (z >> 31);
 }
 
-/// A key of its own for every seed and name, so that streams with equal seeds are independent.
+/// The key of a seed and a name. Each name has its own, so that streams with equal seeds are independent.
 constexpr std::uint64_t stream_key(std::uint64_t seed, std::string_view name) {
   std::uint64_t key = random_bits(seed, 0);
   for (const char c : name) key = random_bits(key ^ static_cast<unsigned char>(c), 0);

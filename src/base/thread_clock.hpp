@@ -4,8 +4,8 @@
 
 namespace sigmasweep {
 
-/// CPU time of the calling thread, s: what a collision costs, however many others share the processor. 0 where the
-/// system has no such clock; then nothing is timed and no limit of time ever ends.
+/// CPU time of the calling thread, s. It measures the cost of a simulation, however many others share the processor. 0
+/// where the system has no such clock; then nothing is timed and no time limit is ever reached.
 inline double thread_seconds() {
   timespec now{};
   if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) return 0.0;

@@ -14,7 +14,7 @@ struct Vec2 {
   friend Vec2 operator-(const Vec2& a) { return {-a.x, -a.z}; }
   friend Vec2 operator*(const Real& s, const Vec2& a) { return {s * a.x, s * a.z}; }
   friend Real dot(const Vec2& a, const Vec2& b) { return a.x * b.x + a.z * b.z; }
-  /// Turned by 90 degrees: t_ij of n_ij in Eq. (4).
+  /// The vector turned by 90 degrees: t_ij of n_ij in Eq. (4).
   friend Vec2 turned(const Vec2& a) { return {-a.z, a.x}; }
 };
 

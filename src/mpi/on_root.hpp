@@ -9,8 +9,8 @@
 
 namespace sigmasweep {
 
-/// Does `step`, which returns an exit code, on the manager; all ranks learn how it went. The manager throws what the
-/// step threw, the other ranks return its exit code: nobody is left waiting. Collective.
+/// Runs `step`, which returns an exit code, on the manager. If it throws, the manager throws the same error; the other
+/// ranks return the error's exit code, so that no rank is left waiting. Collective.
 template <class Step>
 int run_on_root(const World& world, Step step) {
   std::exception_ptr error;

@@ -4,7 +4,7 @@
 
 namespace sigmasweep {
 
-/// What this program is: recorded in every table.
+/// Version and compiler of this program, which are recorded in every table.
 struct BuildInfo {
   const char* program_version;  ///< the project's version
   const char* git_revision;     ///< commit, with "-dirty" if the sources differ from it; "unknown" outside git
@@ -14,10 +14,10 @@ struct BuildInfo {
 
 const BuildInfo& build_info();
 
-/// What the last digits of a result may hang on, besides the physics version: program version, compiler and flags.
+/// Program version, compiler and flags: the last digits of a result may depend on these, besides the physics version.
 std::string build_name();
 
-/// The libraries that the program runs with; both may be asked before MPI_Init.
+/// Versions of the libraries that the program runs with. May be called before MPI_Init.
 std::string mpi_version();
 std::string hdf5_version();
 

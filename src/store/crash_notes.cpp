@@ -19,8 +19,8 @@
 namespace sigmasweep {
 namespace {
 
-// The file is an array of numbers: a header of one line, a line for each rank with its row + 1, or 0, first, and then
-// pairs of a row and its blame. A line is what processors share.
+// The file is an array of 64-bit numbers: a header of one cache line; a cache line for each rank, which begins with the
+// rank's row + 1, or 0; and then pairs of a row and its suspicion score.
 constexpr std::size_t line = 8;
 constexpr std::uint64_t magic = 0x0a314e5552575353;  // "SSWRUN1\n" on a little-endian machine
 enum Header : std::size_t { is_magic, spec_hash, rows, run, ranks };
@@ -28,7 +28,7 @@ constexpr std::uint64_t max_numbers = 1 << 24;
 
 std::string name_of(const std::string& table) { return table + ".running"; }
 
-/// The file's numbers; nothing for a file that is none of ours.
+/// The numbers of the file; none if the file is not of this format.
 std::vector<std::uint64_t> read_numbers(const std::string& path) {
   const File file(path, O_RDONLY);
   struct stat status {};
@@ -42,17 +42,17 @@ std::vector<std::uint64_t> read_numbers(const std::string& path) {
   return numbers;
 }
 
-SuspicionByRow blame_in(const std::vector<std::uint64_t>& numbers, const CrashNotesIdentity& identity) {
-  SuspicionByRow blame;
-  if (numbers.empty() || numbers[spec_hash] != identity.spec_hash || numbers[rows] != identity.rows) return blame;
+SuspicionByRow suspicion_in(const std::vector<std::uint64_t>& numbers, const CrashNotesIdentity& identity) {
+  SuspicionByRow suspicion;
+  if (numbers.empty() || numbers[spec_hash] != identity.spec_hash || numbers[rows] != identity.rows) return suspicion;
   const std::size_t past = line * (1 + numbers[ranks]);
   for (std::size_t i = past; i + 1 < numbers.size(); i += 2)
-    if (numbers[i] < identity.rows) blame[numbers[i]] += numbers[i + 1];
+    if (numbers[i] < identity.rows) suspicion[numbers[i]] += numbers[i + 1];
   std::vector<std::uint64_t> left;
   for (std::size_t i = line; i < past; i += line)
     if (numbers[i] > 0 && numbers[i] <= identity.rows) left.push_back(numbers[i] - 1);
-  for (const std::uint64_t row : left) blame[row] += left.size() == 1 ? 2 : 1;
-  return blame;
+  for (const std::uint64_t row : left) suspicion[row] += left.size() == 1 ? 2 : 1;
+  return suspicion;
 }
 
 }  // namespace
@@ -60,20 +60,20 @@ SuspicionByRow blame_in(const std::vector<std::uint64_t>& numbers, const CrashNo
 SuspicionByRow begin_crash_notes(const std::string& table, const CrashNotesIdentity& identity, int rank_count,
                                  bool fresh) {
   const std::string path = name_of(table);
-  SuspicionByRow blame;
-  if (!fresh) blame = blame_in(read_numbers(path), identity);
+  SuspicionByRow suspicion;
+  if (!fresh) suspicion = suspicion_in(read_numbers(path), identity);
   std::vector<std::uint64_t> numbers(line * (1 + static_cast<std::size_t>(rank_count)));
   numbers[is_magic] = magic;
   numbers[spec_hash] = identity.spec_hash;
   numbers[rows] = identity.rows;
   numbers[run] = identity.run;
   numbers[ranks] = static_cast<std::uint64_t>(rank_count);
-  for (const auto& [row, weight] : blame) numbers.insert(numbers.end(), {row, weight});
+  for (const auto& [row, score] : suspicion) numbers.insert(numbers.end(), {row, score});
   AtomicFile file(path);
   int error = write_at(file.fd(), std::as_bytes(std::span(numbers)), 0);
   if (error == 0) error = file.rename();
   if (error != 0) throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
-  return blame;
+  return suspicion;
 }
 
 void end_crash_notes(const std::string& table, bool complete) noexcept {
@@ -81,7 +81,7 @@ void end_crash_notes(const std::string& table, bool complete) noexcept {
     const std::string path = name_of(table);
     const auto numbers = read_numbers(path);
     if (complete || numbers.empty() || numbers.size() == line * (1 + numbers[ranks])) ::unlink(path.c_str());
-  } catch (...) {  // memory; the file does no harm
+  } catch (...) {  // out of memory; a file that is left does no harm
   }
 }
 
@@ -115,7 +115,7 @@ CrashNotes::~CrashNotes() {
 
 void CrashNotes::begin(std::uint64_t row) noexcept {
   if (slot_) std::atomic_ref(*slot_).store(row + 1);
-  if (excused_) end();  // asked after, as absolve() may come at any moment
+  if (absolved_) end();  // asked afterwards, because absolve() may come at any moment
 }
 
 void CrashNotes::end() noexcept {
@@ -123,7 +123,7 @@ void CrashNotes::end() noexcept {
 }
 
 void CrashNotes::absolve() noexcept {
-  if (!excused_.exchange(true)) end();
+  if (!absolved_.exchange(true)) end();
 }
 
 }  // namespace sigmasweep

@@ -18,8 +18,8 @@
 #include "base/atomic_file.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/fields.hpp"
-#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/physics_version.hpp"
+#include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/build_info.hpp"
 #include "store/hdf5/tree.hpp"
@@ -30,7 +30,7 @@ namespace {
 
 using namespace h5md;
 
-/// Who runs the program: H5MD wants a name.
+/// The name of the user who runs the program, which H5MD wants.
 std::string author() {
   std::array<char, 4096> text{};
   passwd entry{}, *found = nullptr;
@@ -52,7 +52,7 @@ void put_metadata(hid_t file) {
   put_text(units, "system", "SI");
 }
 
-/// What makes two files the same trajectory.
+/// A key that two files share if and only if they are the same trajectory.
 std::string key_of(const Parameters& parameters, std::size_t samples, double duration) {
   return fmt::format("{:016x}-{}-{:016x}", content_key(parameters), samples, std::bit_cast<std::uint64_t>(duration));
 }
@@ -75,7 +75,7 @@ void put_parameters(hid_t file, const Tuple& tuple, const Trajectory& trajectory
   put_text(group, "key", key_of(tuple.parameters, trajectory.samples(), trajectory.time.back()));
 }
 
-/// The first element brings step and time, the others share them.
+/// Time-dependent elements. The first one has datasets step and time, which the others share.
 class Elements {
  public:
   explicit Elements(const Trajectory& trajectory) : trajectory_(trajectory) {}
@@ -102,8 +102,8 @@ class Elements {
   Handle first_;
 };
 
-/// As many values of x as of z, in turns; of a column, which has no x, those of z.
-std::vector<double> in_turns(std::span<const double> x, std::span<const double> z) {
+/// The values x_0, z_0, x_1, z_1, ...; of a column, which has no x, the values of z.
+std::vector<double> interleaved(std::span<const double> x, std::span<const double> z) {
   std::vector<double> both;
   for (std::size_t k = 0; k < z.size(); ++k) {
     if (!x.empty()) both.push_back(x[k]);
@@ -116,10 +116,10 @@ std::vector<double> positions(const Trajectory& t) {
   std::vector<double> h = t.z;
   for (std::size_t i = 0; i < t.beads(); ++i)
     for (std::size_t s = 0; s < t.samples(); ++s) h[s * t.beads() + i] += t.base(i);
-  return in_turns(t.x, h);
+  return interleaved(t.x, h);
 }
 
-/// sum m_i v_i^2 over sum m_i unit^2.
+/// sum m_i v_i^2 divided by sum m_i unit^2, for each sample.
 std::vector<double> kinetic_energies(const Trajectory& t, double unit) {
   const double all = std::accumulate(t.mass.begin(), t.mass.end(), 0.0);
   std::vector<double> energies(t.samples());
@@ -132,9 +132,10 @@ std::vector<double> kinetic_energies(const Trajectory& t, double unit) {
   return energies;
 }
 
-/// What flies has its energy over that at the start; what vibrates in SI units, over its mass, and its plate.
+/// Of beads that fly into a wall: kinetic energy divided by that at the start. Of beads on a vibrating plate: kinetic
+/// energy per mass, J/kg, and the height of the plate, m.
 void put_observables(hid_t group, const Parameters& p, const Trajectory& trajectory, Elements& elements) {
-  if (!is_vibrated(p)) {
+  if (!applies_to(*find_field("frequency"), p)) {
     elements.put(group, "kinetic_energy", kinetic_energies(trajectory, p.v0), {}, "");
     return;
   }
@@ -144,8 +145,8 @@ void put_observables(hid_t group, const Parameters& p, const Trajectory& traject
   elements.put(group, "plate_height", plate, {}, "m");
 }
 
-/// A lattice's box is as high as its beads come: there is nothing above them, but H5MD has edges in all directions or
-/// none.
+/// The box of a lattice is as high as its beads come. Nothing bounds them above, but H5MD has edges in all directions
+/// or in none.
 void put_box(hid_t beads, const Trajectory& t) {
   const Handle box = new_group(beads, "box");
   std::vector<std::string> boundary{"none"};
@@ -169,7 +170,7 @@ std::vector<std::byte> image_of(const Tuple& tuple, const Trajectory& trajectory
     put_box(beads, trajectory);
     const hsize_t N = trajectory.beads(), dimension = trajectory.is_plane() ? 2 : 1;
     elements.put(beads, "position", positions(trajectory), {N, dimension}, "m");
-    elements.put(beads, "velocity", in_turns(trajectory.x_velocity, trajectory.velocity), {N, dimension}, "m s-1");
+    elements.put(beads, "velocity", interleaved(trajectory.x_velocity, trajectory.velocity), {N, dimension}, "m s-1");
     if (!trajectory.is_plane()) elements.put(beads, "reduced_height", trajectory.z, {N, 1}, "m");
     put_array(beads, "mass", trajectory.mass, {N}, "");
     put_array(beads, "diameter", trajectory.diameter, {N}, "m");
@@ -179,8 +180,8 @@ std::vector<std::byte> image_of(const Tuple& tuple, const Trajectory& trajectory
   return h5md::image_of(file);
 }
 
-/// What in_turns() joined, of two dimensions.
-void part(std::span<const double> both, std::vector<double>& x, std::vector<double>& z) {
+/// Splits values that interleaved() joined, of two dimensions.
+void split(std::span<const double> both, std::vector<double>& x, std::vector<double>& z) {
   for (std::size_t k = 0; k + 1 < both.size(); k += 2) {
     x.push_back(both[k]);
     z.push_back(both[k + 1]);
@@ -189,8 +190,8 @@ void part(std::span<const double> both, std::vector<double>& x, std::vector<doub
 
 void read_plane(hid_t beads, Trajectory& t, std::vector<hsize_t> extents) {
   extents.back() = 2;
-  part(get_array(beads, "position/value", extents), t.x, t.z);
-  part(get_array(beads, "velocity/value", extents), t.x_velocity, t.velocity);
+  split(get_array(beads, "position/value", extents), t.x, t.z);
+  split(get_array(beads, "velocity/value", extents), t.x_velocity, t.velocity);
   std::vector<hsize_t> directions{2};
   t.box_width = get_array(beads, "box/edges", directions)[0];
   if (!(t.box_width > 0.0 && std::isfinite(t.box_width))) throw IoError("its box has no width");

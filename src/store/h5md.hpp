@@ -6,13 +6,14 @@
 #include "sigmasweep/model/row.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
 
-/// Trajectories as H5MD 1.1 files, https://www.nongnu.org/h5md/releases/h5md-1.1.0.html, one collision a file:
+/// Trajectories as H5MD 1.1 files, https://www.nongnu.org/h5md/releases/h5md-1.1.0.html, one simulation per file:
 ///
 ///     /h5md                       version [1, 1]; author, creator, modules/units (SI)
 ///     /particles/beads            box (dimension 1, boundary none), mass (over the mean bead's), diameter
 ///         position                height of the centre above the wall, m; of a lattice (x, height)
 ///         velocity                m/s; of a lattice (horizontal, upwards)
-///         reduced_height          z_i, Eq. (9), m: what the column does, without the digits that position spends on d;
+///         reduced_height          z_i, Eq. (9), m: the motion of the column without the digits that d takes in
+///         position;
 ///                                 not of a lattice
 ///     /observables/kinetic_energy over that at the start
 ///     /parameters                 everything that defines the collision, as attributes
@@ -26,11 +27,11 @@ namespace sigmasweep {
 /// or IoError (disk full, a failed write), naming the file.
 void write_h5md(const std::string& path, const Tuple& tuple, const Trajectory& trajectory);
 
-/// Reads what write_h5md() wrote. Throws InputNotFound, or IoError for a file that is anything else.
+/// Reads a file of write_h5md(). Throws InputNotFound, or IoError for a file that is anything else.
 Trajectory read_h5md(const std::string& path);
 
 /// Whether `path` holds the trajectory of these parameters, to the bit and in this program's physics, in so many
-/// samples over that duration (NaN: over any). False for any other file. Throws nothing but what memory makes it throw.
+/// samples over that duration (NaN: over any). False for any other file. Throws std::bad_alloc only.
 bool is_h5md_of(const std::string& path, const Parameters& parameters, std::size_t samples, double duration);
 
 }  // namespace sigmasweep

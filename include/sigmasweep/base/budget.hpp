@@ -6,15 +6,15 @@
 
 namespace sigmasweep {
 
-/// How long one collision may be computed: until the thread that made this has used so much CPU time on it, or until
-/// somebody wants to stop. The solvers ask in their loops. One for each collision, used by one thread.
+/// How long one simulation may be computed: until the thread that made the object has used so much CPU time, or until a
+/// stop is asked for. The solvers ask in their loops. There is one object for each simulation, used by one thread.
 class ComputeBudget {
  public:
   /// `limit`: s. `stop` is called every 20 ms or so; what it throws, the solver throws.
   explicit ComputeBudget(double limit, std::function<bool()> stop = {});
 
-  /// Whether to give up; from the first yes on always. `work`: what was done since the last question, in contacts moved
-  /// by a step. The clock is looked at after each 10,000 of these, a fraction of a millisecond in double.
+  /// Whether to give up; once true it stays true. `work` is the work since the last question, as the number of contacts
+  /// moved by a step. The clock is read after each 10,000 of these, a fraction of a millisecond in double.
   bool is_over(std::uint64_t work) {
     if (work < left_) {
       left_ -= work;

@@ -6,7 +6,7 @@
 /// Errors by kind. Libraries throw them; only main() turns them into a message and an exit code (sysexits).
 namespace sigmasweep {
 
-/// Base of all errors that are the user's to mend; `exit_code` follows sysexits.h.
+/// Base of all errors that the user can mend; `exit_code` follows sysexits.h.
 class Error : public std::runtime_error {
  public:
   Error(int exit_code, const std::string& message) : std::runtime_error(message), exit_code_(exit_code) {}

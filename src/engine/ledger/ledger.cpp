@@ -21,9 +21,9 @@ namespace {
       fmt::format("{}: {}; nothing was changed. Choose another output with -o, or --fresh to replace it", path, what));
 }
 
-/// What the journal belongs to; that of a slice is not that of the sweep. Throws SpecError where the rows do not fit
-/// into this machine's memory (half of it, as they are there twice while they are read back) or the count of a
-/// collective write, or where a slice could have none.
+/// The identity of the journal; a slice of the sweep has another identity than the sweep. Throws SpecError where the
+/// rows do not fit into half of this machine's memory (they are there twice while they are read back) or into the count
+/// of a collective write, or where a slice could have no rows.
 JournalIdentity identity_of(const Sweep& sweep, const Slice& slice) {
   if (slice.count > sweep.size())
     throw SpecError(fmt::format("{} rows are too few for {} slices", sweep.size(), slice.count));
@@ -118,7 +118,8 @@ void Ledger::take_table(const Sweep& sweep, const std::string& path, bool begun,
   take_over(sweep, {path, {}, std::move(found.rows)});
 }
 
-/// The table of this sweep. If rows of it are to be tried again, the others are what the journal begins with.
+/// Takes the rows of the table of this sweep. If some of them are to be tried again, the journal begins with the
+/// others.
 void Ledger::take_rows(const Sweep& sweep, const Table& table, const std::string& path) {
   if (const std::string why_not = why_other_physics(table.info); !why_not.empty()) refuse(path, why_not);
   for (const Row& row : table.rows) keep_or_retry(row);

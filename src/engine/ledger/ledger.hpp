@@ -13,44 +13,47 @@
 
 namespace sigmasweep {
 
-/// What a run begins with.
+/// The rows that a run begins with.
 struct LedgerOptions {
   bool fresh = false;              ///< replace whatever is there
   Slice slice{};                   ///< the rows wanted
-  bool extend = false;             ///< take over what a table or journal of another spec at the same place has
-  std::vector<std::string> reuse;  ///< and other tables
+  bool extend = false;             ///< take over the rows of a table or journal of another spec at the same place
+  std::vector<std::string> reuse;  ///< other tables whose rows are taken over
   bool retry = false;              ///< leave out rows whose status is not reproducible: they are computed again
 };
 
-/// The manager's view of a sweep under way: which rows are there, which are still to do, and the journal where each is
-/// kept as it comes in.
+/// The rows of a sweep under way, on the manager: the rows that are done, the rows that are missing, and the journal to
+/// which each row goes as it comes in.
 class Ledger {
  public:
-  /// Takes the lock, then looks at what is there already. A table that is complete for this spec gives all its rows;
-  /// a journal gives the rows it has, if their parameters are still the same to the bit. A journal, even an empty one,
+  /// Takes the lock, then looks for rows that are there already. A table that is complete for this spec gives all its
+  /// rows. A journal gives its rows, if their parameters are still the same to the bit. A journal, even an empty one,
   /// is younger than the table beside it: a run removes it last, --fresh keeps the table until it can replace it, and
-  /// no other run begins one beside a complete table. Rows that are taken over from elsewhere are what a journal begins
-  /// with.
+  /// no other run begins a journal beside a complete table. Rows that are taken over from elsewhere are written to the
+  /// journal first.
+  ///
   /// Throws SpecError (more rows than fit into memory; fewer than slices), InputNotFound, OutputError (locked; a table
   /// or journal of something else, unless `fresh` or, where possible, `extend`), IoError.
   Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options);
 
   bool table_is_complete() const { return table_is_complete_; }
   std::vector<std::uint64_t> missing() const;
-  std::uint64_t kept() const { return kept_; }    ///< rows there from the start
-  std::uint64_t taken() const { return taken_; }  ///< of them: taken over from another sweep, just now
-  const std::vector<std::string>& remarks() const { return remarks_; }  ///< on what was not taken over
+  std::uint64_t kept() const { return kept_; }  ///< number of rows that were there from the start
+  std::uint64_t taken() const {
+    return taken_;
+  }  ///< number of rows among them that were taken over from another sweep just now
+  const std::vector<std::string>& remarks() const { return remarks_; }  ///< on rows that were not taken over
   std::uint64_t there() const { return there_; }
   bool is_complete() const { return there_ == rows_.size(); }
   const std::vector<Row>& rows() const { return rows_; }  ///< of the slice, in spec order; status not_run where missing
 
-  /// A row came in: to the journal, then to rows(). Throws IoError.
+  /// Enters a row that came in: into the journal, then into rows(). Throws IoError.
   void enter(Row row);
   bool has(std::uint64_t row) const;
-  /// A row that is not to be computed: it is there from now on, as Status::quarantined. Throws IoError.
+  /// Enters a row that is not to be computed, as Status::quarantined. Throws IoError.
   void quarantine(const Tuple& tuple);
   void sync() { journal_.sync(); }
-  /// The table is written and checked, or was there: the journal is not needed any more.
+  /// Removes the journal, once the table is written and checked, or if the table was there already.
   void close() { journal_.remove(); }
 
  private:

@@ -10,13 +10,13 @@
 
 namespace sigmasweep {
 
-/// The rows of `slice` of the sweep that are among `old`, wherever they were there: the same tuple by content_key().
+/// Those rows of `slice` of the sweep that are among `old` at any place: the same tuple by content_key().
 std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const Slice& slice);
 
 /// Rows of a table that may be taken over.
 struct ReusableRows {
   std::vector<Row> rows;
-  std::string why_not;  ///< if there are none: of other physics, another build, ...
+  std::string why_not;  ///< why there are none: of other physics, of another build, ...
 };
 /// Throws as read_table().
 ReusableRows reusable_rows(const std::string& table);

@@ -6,7 +6,6 @@
 
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/model/relevance.hpp"

@@ -19,9 +19,10 @@ struct StoredSweep {
 /// Reads a table. Parameters that are no columns are filled in from its spec. Throws as read_table().
 StoredSweep read_stored_sweep(const std::string& path);
 
-/// Why the table's rows must not stand beside rows of this program ("was computed by another ..."); empty if they may.
+/// Why the rows of the table must not be mixed with rows of this program ("was computed by another ..."); empty if they
+/// may.
 std::string why_not_ours(const StoredSweep& stored);
-/// Two such reasons: other physics, and another build, which may have other last digits.
+/// The same for one reason alone: other physics; another build, which may have other last digits.
 std::string why_other_physics(const TableInfo& info);
 std::string why_other_build(const TableInfo& info);
 

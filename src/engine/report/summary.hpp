@@ -10,7 +10,7 @@ namespace sigmasweep {
 
 /// The largest spread of eps_eff among rows that should be the same point: equal sigma (to 1e-12, relative), N,
 /// epsilon, method, wall and integrator with its accuracy (steps_per_tc or tolerance), but other v0, tc or s0. How
-/// universal the curve is. Rows without a result do not count.
+/// universal the curve is. Rows without a result are ignored.
 struct Universality {
   double spread = 0.0;       ///< largest max - min of eps_eff within a group
   double sigma = 0.0;        ///< where
@@ -25,7 +25,7 @@ struct Work {
   void add(const Row& row);
 };
 
-/// What the sweep ends with: rows by status, quantiles of error and run time, makespan against its lower bound
+/// The text at the end of a sweep: rows by status, quantiles of error and run time, makespan against its lower bound
 /// max(sum/ranks, longest), universality. `wall_seconds` is the time that the computing of `work` took on `ranks`
 /// ranks, 0 when nothing was computed.
 std::string summary(std::span<const Row> rows, const Work& work, int ranks, double wall_seconds);

@@ -9,7 +9,6 @@
 #include <tuple>
 #include <utility>
 
-#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/relevance.hpp"
@@ -19,41 +18,31 @@ namespace sigmasweep {
 namespace {
 
 constexpr std::uint64_t max_rows = 1'000'000;
-/// A second or two each; what is beyond counts as stable. Dashpots of laws that are not linear take up to 0.1 s to
-/// find, and so do the modes of a lattice of unequal beads.
-constexpr std::size_t max_kinds = 20'000, max_slow_kinds = 30;
+/// Signatures beyond these numbers, a second or two of computing each, count as stable. Dashpots of laws that are not
+/// linear take up to 0.1 s each, and so do the modes of a lattice of unequal beads.
+constexpr std::size_t max_signatures = 20'000, max_slow = 30;
 
-/// What stability depends on beside integrator and step: of equal beads neither v0 nor s0.
-auto kind(const Parameters& p) {
-  return std::tuple(
-      p.epsilon, p.N, p.law, p.beta, p.gamma, p.wall,
-      p.K_over_m > 0.0 ? std::tuple(p.K_over_m, p.D_n, p.v0, p.tc) : std::tuple(0.0, 0.0, 0.0, 0.0),
-      p.width > 0.0 ? std::tuple(p.width, p.d, p.seed) : std::tuple(0.0, 0.0, std::int64_t{0}),
-      is_lattice(p) ? std::tuple(p.rows, p.side_walls, p.D_t * p.tc)
-                    : std::tuple(std::int64_t{0}, SideWalls::periodic, 0.0),
-      is_vibrated(p) && !exponents(p).linear() ? std::tuple(p.A0, p.frequency, p.v0) : std::tuple(0.0, 0.0, 0.0));
-}
-
-/// The closed contacts of kinds that were seen; nullptr for those for which there is no time.
-class Kinds {
+/// The closed contacts of tuples by their signature.
+class KnownContacts {
  public:
+  /// The closed contacts of the tuple; nullptr where there is no time to find them.
   const ClosedContacts* find(const Parameters& p) {
-    const auto key = kind(p);
-    if (const auto known = known_.find(key); known != known_.end()) return &known->second;
-    if (known_.size() >= max_kinds || !has_time_for(p)) return nullptr;
-    return &known_.try_emplace(key, closed_contacts(p)).first->second;
+    const StabilitySignature signature = stability_signature(p);
+    if (const auto known = known_.find(signature); known != known_.end()) return &known->second;
+    if (known_.size() >= max_signatures || !has_time_for(p)) return nullptr;
+    return &known_.try_emplace(signature, closed_contacts(p)).first->second;
   }
 
  private:
   bool has_time_for(const Parameters& p) {
-    if (is_lattice(p) && p.width > 0.0 && ++slow_lattices_ > max_slow_kinds) return false;
+    if (has_searched_motions(p) && ++slow_lattices_ > max_slow) return false;
     const auto [beta, gamma] = exponents(p);
     if (exponents(p).linear() || p.K_over_m > 0.0) return true;
-    if (slow_dashpots_.size() < max_slow_kinds) slow_dashpots_.insert({beta, gamma, p.epsilon});
+    if (slow_dashpots_.size() < max_slow) slow_dashpots_.insert({beta, gamma, p.epsilon});
     return slow_dashpots_.contains({beta, gamma, p.epsilon});
   }
 
-  std::map<decltype(kind(Parameters{})), ClosedContacts> known_;
+  std::map<StabilitySignature, ClosedContacts> known_;
   std::set<std::array<double, 3>> slow_dashpots_;
   std::size_t slow_lattices_ = 0;
 };
@@ -68,7 +57,7 @@ struct Unstable {
 std::string stability_warning(const Sweep& sweep) {
   const bool one_integrator = std::ranges::find(sweep.axes(), "integrator") == sweep.axes().end();
   if (one_integrator && sweep.at(0).integrator == Integrator::exact) return {};
-  Kinds kinds;
+  KnownContacts contacts;
   std::map<std::tuple<const ClosedContacts*, Integrator, double>, bool> stable;
   std::map<std::pair<Integrator, double>, Unstable> unstable;
   const std::uint64_t looked_at = std::min(sweep.size(), max_rows), stride = sweep.size() / looked_at;
@@ -76,7 +65,7 @@ std::string stability_warning(const Sweep& sweep) {
   for (std::uint64_t k = 0; k < looked_at; ++k) {
     const Parameters p = sweep.at(k * stride);
     if (!has_given_steps(p)) continue;
-    const ClosedContacts* closed = kinds.find(p);
+    const ClosedContacts* closed = contacts.find(p);
     if (!closed) continue;
     const auto [found, is_new] = stable.try_emplace({closed, p.integrator, p.steps_per_tc});
     if (is_new) found->second = is_stable(*closed, p.integrator, 1.0 / p.steps_per_tc);

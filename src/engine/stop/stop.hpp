@@ -6,8 +6,8 @@
 
 namespace sigmasweep {
 
-/// While it lives, SIGTERM, SIGINT and SIGUSR1 ask this rank to stop instead of killing it; so does the end of its
-/// time, if there is one. One at a time.
+/// Whether this rank is asked to stop. While the object lives, SIGTERM, SIGINT and SIGUSR1 ask for it instead of
+/// killing the process; so does the end of its time, if it has one. There may be one such object at a time.
 class StopRequest {
  public:
   using Clock = std::chrono::steady_clock;
@@ -16,7 +16,7 @@ class StopRequest {
   StopRequest(const StopRequest&) = delete;
   StopRequest& operator=(const StopRequest&) = delete;
 
-  /// Lets the time end so many seconds from now.
+  /// Sets the end of the time to so many seconds from now.
   void end_in(double seconds);
   bool made() const;
   Clock::time_point end() const { return end_; }

@@ -31,7 +31,7 @@ bool exists(const std::string& path) {
                   path, row));
 }
 
-/// Files of the names that we give, and what a killed run left of them.
+/// Removes trajectories, and unfinished ones that a killed run left.
 void remove_files(const std::string& directory) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(directory, error)) {
@@ -46,19 +46,20 @@ double duration_of(const TrajectorySpec& spec, const Row& row) {
   return spec.duration > 0.0 ? spec.duration : show_time(row.parameters, row.result);
 }
 
-/// The rows to film in the order in which World::scatter deals them out: rank r gets every size-th from r on.
-std::vector<Row> dealt(const Sweep& sweep, const std::vector<Row>& rows, int ranks) {
-  std::vector<Row> chosen, in_turns;
+/// The rows whose trajectories are wanted, ordered for World::scatter(), so that rank r gets every size-th row from r
+/// on.
+std::vector<Row> rows_by_rank(const Sweep& sweep, const std::vector<Row>& rows, int ranks) {
+  std::vector<Row> chosen, by_rank;
   for (const std::uint64_t row : sweep.trajectory()->rows) {
     const Parameters parameters = sweep.at(row);  // a table that was read back has only those that are columns
-    if (!std::isfinite(show_time(parameters, rows[row].result))) continue;  // no result, nothing to see
+    if (!std::isfinite(show_time(parameters, rows[row].result))) continue;  // no result, no trajectory
     chosen.push_back(rows[row]);
     chosen.back().index = row;
     chosen.back().parameters = parameters;
   }
   for (std::size_t rank = 0; rank < static_cast<std::size_t>(ranks); ++rank)
-    for (std::size_t k = rank; k < chosen.size(); k += static_cast<std::size_t>(ranks)) in_turns.push_back(chosen[k]);
-  return in_turns;
+    for (std::size_t k = rank; k < chosen.size(); k += static_cast<std::size_t>(ranks)) by_rank.push_back(chosen[k]);
+  return by_rank;
 }
 
 void write(const TrajectorySpec& spec, const std::string& table, const Row& row) {
@@ -102,7 +103,7 @@ TrajectoryCount write_trajectories(const World& world, const Sweep& sweep, const
   const std::uint64_t wanted = run_collective(comm, [&] {
     if (!world.is_manager()) return std::uint64_t{0};
     make_directory(trajectory_directory(table));
-    all = dealt(sweep, rows, world.size());
+    all = rows_by_rank(sweep, rows, world.size());
     return std::uint64_t{all.size()};
   });
   const std::vector<Row> mine = world.scatter(all, wanted);

@@ -11,10 +11,10 @@
 /// The trajectories of a run: one file for each row that the spec's [trajectory] chooses, beside the table.
 namespace sigmasweep {
 
-/// Before a run, on the manager: a file that is there must be of this spec, as far as that can be said before its row
-/// is computed; nobody should wait for hours to hear that it is not. Throws OutputError.
+/// Throws OutputError for a file that is there already and is not a trajectory of this spec, as far as that is known
+/// before its row is computed: the user should hear of it before the run, not after. On the manager.
 void require_own_trajectories(const Sweep& sweep, const std::string& table);
-/// Instead, for a run that starts again: those of an earlier run go, or a stop would leave a mixture.
+/// Removes the trajectories of an earlier run, for a run that starts again: a stop would leave a mixture otherwise.
 void remove_trajectories(const Sweep& sweep, const std::string& table);
 
 /// How many trajectories a run has recorded.
@@ -23,9 +23,9 @@ struct TrajectoryCount {
   std::uint64_t written = 0;  ///< files of these rows that are there; fewer if the run was stopped
 };
 
-/// After the run, on all ranks, `rows` the manager's finished rows in spec order: the ranks take turns in writing what
-/// is not there yet. Ends early when any rank is asked to stop; what is written stays. A file that is there and is not
-/// what would be written is an OutputError. All ranks throw the same error.
+/// Records the trajectories that are not there yet; `rows` are the manager's finished rows in spec order. On all ranks,
+/// which share the work. Ends early when a rank is asked to stop; files that are written stay. Throws OutputError for a
+/// file that is there and is not the trajectory of its row. All ranks throw the same error.
 TrajectoryCount write_trajectories(const World& world, const Sweep& sweep, const std::string& table,
                                    const std::vector<Row>& rows, const StopRequest& stop);
 

@@ -5,7 +5,7 @@
 
 namespace sigmasweep {
 
-/// Where a table's trajectories are: fig1.trajectories beside fig1.h5.
+/// The directory of the trajectories of a table: fig1.trajectories beside fig1.h5.
 std::string trajectory_directory(const std::string& table);
 
 /// The file of a row: fig1.trajectories/row-000042.h5.

@@ -1,10 +1,12 @@
 #include "solve/fixed_step/stability.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "solve/fixed_step/lattice/modes.hpp"
 #include "solve/fixed_step/scheme_info.hpp"
 #include "solve/fixed_step/spectral_radius.hpp"
@@ -73,6 +75,35 @@ ClosedContacts closed_contacts(const Parameters& p) {
   lattice.beads.speed = speed;
   return closed_contacts(lattice);
 }
+
+StabilitySignature stability_signature(const Parameters& p) {
+  StabilitySignature signature;
+  const auto add = [&](double value) { signature.push_back(std::bit_cast<std::uint64_t>(value + 0.0)); };  // -0 is 0
+  const auto add_whole = [&](std::int64_t value) { signature.push_back(static_cast<std::uint64_t>(value)); };
+  for (const double value : {p.epsilon, p.beta, p.gamma}) add(value);
+  for (const std::int64_t value : {p.N, static_cast<std::int64_t>(p.law), static_cast<std::int64_t>(p.wall)})
+    add_whole(value);
+  const bool given_stiffness = p.K_over_m > 0.0, unequal = p.width > 0.0, lattice = is_lattice(p);
+  const bool given_speed = is_vibrated(p) && !exponents(p).linear();
+  for (const bool feature : {given_stiffness, unequal, lattice, given_speed}) add_whole(feature);
+  if (given_stiffness)
+    for (const double value : {p.K_over_m, p.D_n, p.v0, p.tc}) add(value);
+  if (unequal) {
+    add(p.width);
+    add(p.d);
+    add_whole(p.seed);
+  }
+  if (lattice) {
+    add_whole(p.rows);
+    add_whole(static_cast<std::int64_t>(p.side_walls));
+    add(p.D_t * p.tc);
+  }
+  if (given_speed)
+    for (const double value : {p.A0, p.frequency, p.v0}) add(value);
+  return signature;
+}
+
+bool has_searched_motions(const Parameters& p) { return is_lattice(p) && p.width > 0.0; }
 
 double growth_in_a_contact(const ClosedContacts& closed, Integrator integrator, double dt) {
   double growth = 0.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "assembly/column.hpp"
@@ -41,6 +42,14 @@ ClosedContacts closed_contacts(const Lattice<double>& lattice);
 /// Of the tuple's column or lattice. What vibrates is taken to be thrown at its plate with the largest speed of that.
 /// Strong damping by laws that are not linear takes time, up to 0.1 s (see reduced_column()), a lattice up to 0.05 s.
 ClosedContacts closed_contacts(const Parameters& parameters);
+
+/// Everything that the stability of a tuple depends on, beside integrator and step: tuples with equal signatures have
+/// the same closed contacts. Of equal beads that is neither v0 nor s0.
+using StabilitySignature = std::vector<std::uint64_t>;
+StabilitySignature stability_signature(const Parameters& parameters);
+
+/// Whether closed_contacts() searches the motions of a lattice of unequal beads, which takes up to 0.05 s.
+bool has_searched_motions(const Parameters& parameters);
 
 /// Growth up to which it counts as stable: gear5 adds a little even where it is of use.
 inline constexpr double max_stable_growth = 1.05;

@@ -8,7 +8,7 @@ namespace {
 
 Handle text_type() {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "cannot make a text type");
-  // Not of fixed size: that ends at 64 KiB, and is no str in h5py.
+  // Of variable size: a fixed size ends at 64 KiB, and is no str in h5py.
   check(H5Tset_size(type, H5T_VARIABLE), "cannot make a text type");
   check(H5Tset_cset(type, H5T_CSET_UTF8), "cannot make a text type");
   return type;
@@ -22,7 +22,7 @@ void write(hid_t object, const std::string& name, hid_t type, const void* value)
   attribute.close(what);
 }
 
-/// Opens a scalar attribute whose type is of that class.
+/// Opens a scalar attribute whose type is of this class.
 Handle open(hid_t object, const std::string& name, H5T_class_t wanted) {
   const std::string what = "cannot read attribute " + name;
   Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, what);
@@ -48,7 +48,7 @@ void write_number(hid_t object, const std::string& name, std::uint64_t number) {
 std::string read_text(hid_t object, const std::string& name) {
   const Handle attribute = open(object, name, H5T_STRING);
   const Handle type(H5Aget_type(attribute), H5Tclose, "cannot read attribute " + name);
-  // In the file's own character set: HDF5 converts between none.
+  // Read in the file's own character set, because HDF5 does not convert between character sets.
   const Handle memory(H5Tcopy(type), H5Tclose, "cannot read attribute " + name);
   char* characters = nullptr;
   check(H5Aread(attribute, memory, &characters), "cannot read attribute " + name);

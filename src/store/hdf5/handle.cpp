@@ -10,11 +10,12 @@
 namespace sigmasweep {
 namespace {
 
-/// Before main(), so before MPI_Init: otherwise HDF5 ties its own end to MPI_Finalize, and to the program's. There
-/// HDF5 1.10 crashes if a file could not be closed before (disk full), which would cost the message and exit code.
+/// HDF5 is opened before main(), and so before MPI_Init. Otherwise HDF5 ties its own end to MPI_Finalize and to the end
+/// of the program; there HDF5 1.10 crashes if a file could not be closed before (disk full), and message and exit code
+/// are lost.
 const herr_t started = H5dont_atexit() < 0 ? -1 : H5open();
 
-/// What HDF5 says about its last failure: the outermost and the innermost description.
+/// HDF5's description of its last failure: the outermost and the innermost message.
 std::string last_error() {
   std::vector<std::string> descriptions;
   const auto collect = [](unsigned, const H5E_error2_t* error, void* list) -> herr_t {

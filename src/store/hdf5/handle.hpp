@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <string>
 
-/// HDF5 with C++ manners: owners that close, statuses that throw.
+/// HDF5 identifiers with owners that close them, and HDF5 statuses that throw.
 namespace sigmasweep {
 
-/// Keeps HDF5 from printing its errors while it lives (they go into exceptions). First thing in every public function
-/// that uses HDF5.
+/// Keeps HDF5 from printing its errors while it lives; they go into exceptions. Every public function that uses HDF5
+/// begins with one.
 class Hdf5Session {
  public:
   Hdf5Session();
@@ -22,7 +22,8 @@ class Hdf5Session {
   void* print_data_ = nullptr;
 };
 
-/// `status` if it is not negative, HDF5's sign of failure; else throws IoError with `what` and HDF5's own words.
+/// Returns `status` unless it is negative, which is HDF5's sign of failure: then throws IoError with `what` and HDF5's
+/// own words.
 std::int64_t check(std::int64_t status, const std::string& what);
 
 /// Owner of an HDF5 identifier of any kind.
@@ -30,7 +31,7 @@ class Handle {
  public:
   using Close = herr_t (*)(hid_t);
   Handle() = default;
-  /// Takes what an HDF5 call returned; throws IoError with `what` if it is a failure.
+  /// Owns the identifier that an HDF5 call returned. Throws IoError with `what` if the call failed.
   Handle(hid_t id, Close how, const std::string& what) : id_(check(id, what)), close_(how) {}
   ~Handle() { reset(); }
   Handle(Handle&& other) noexcept;

@@ -20,7 +20,7 @@ Handle scalar() { return {H5Screate(H5S_SCALAR), H5Sclose, "cannot make a data s
 
 Handle list(hsize_t length) { return {H5Screate_simple(1, &length, nullptr), H5Sclose, "cannot make a data space"}; }
 
-/// Text of fixed length, as H5MD 1.1 wants it; ASCII where that will do.
+/// The type of a text of fixed length, as H5MD 1.1 wants it; ASCII where that is enough.
 Handle text_type(const std::string& text, std::size_t length) {
   const char* const what = "cannot make a text type";
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, what);
@@ -104,7 +104,7 @@ std::vector<std::string> get_texts(hid_t object, const std::string& name) {
     throw IoError("attribute " + name + " is not a text of fixed length");
   const auto count = static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space), what));
   const std::size_t length = H5Tget_size(type);
-  // That attributes are small HDF5 sees to: at most 64 KiB in such a file.
+  // HDF5 itself limits attributes to 64 KiB in a file of this version.
   if (count * length > std::size_t{1} << 16) throw IoError("attribute " + name + " is too long");
   std::string all(count * length, '\0');
   check(H5Aread(attribute, type, all.data()), what);
@@ -143,7 +143,7 @@ std::vector<double> get_array(hid_t group, const std::string& name, std::vector<
     right = found[i] > 0 && (extents[i] == 0 || extents[i] == found[i]);
     count *= found[i];
   }
-  // The space on disk is compared too, so that a false extent makes nobody allocate memory for it.
+  // The space on disk is compared as well, so that no memory is allocated for a false extent.
   if (!right || H5Dget_storage_size(dataset) / H5Tget_size(type) != count)
     throw IoError("dataset " + name + " is not of the type or size expected");
   extents = found;

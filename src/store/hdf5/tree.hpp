@@ -12,10 +12,10 @@
 /// The parts that H5MD files are made of. All throw IoError.
 namespace sigmasweep::h5md {
 
-/// An HDF5 file in memory, of format version 2 as H5MD recommends; without times, so that its bytes depend on what is
-/// put in only.
+/// A new HDF5 file in memory, of format version 2 as H5MD recommends. It has no time stamps, so that its bytes depend
+/// on its content only.
 Handle new_file();
-/// The bytes of such a file.
+/// The bytes of a file in memory.
 std::vector<std::byte> image_of(hid_t file);
 
 Handle new_group(hid_t parent, const std::string& name);
@@ -32,7 +32,7 @@ std::vector<std::string> get_texts(hid_t object, const std::string& name);
 void put_array(hid_t group, const std::string& name, std::span<const double> values, std::vector<hsize_t> extents,
                const std::string& unit);
 void put_counts(hid_t group, const std::string& name, std::span<const std::int64_t> values);
-/// A dataset that must have these extents; an extent of 0 may be any number and is set to what it is.
+/// Reads a dataset that must have these extents. An extent of 0 allows any number, and is set to the number found.
 std::vector<double> get_array(hid_t group, const std::string& name, std::vector<hsize_t>& extents);
 
 }  // namespace sigmasweep::h5md

@@ -21,13 +21,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Group commit: an fdatasync a record would allow some hundred rows/s, one in 1024 some hundred thousand.
+// Group commit: one fdatasync per record would allow some hundred rows/s, one per 1024 records some hundred thousand.
 constexpr std::uint64_t records_per_sync = 1024;
 constexpr auto time_per_sync = std::chrono::seconds(1);
 
 constexpr std::uint64_t header_size = sizeof(JournalHeader);
 
-/// One row an index, the one written last, in order of index.
+/// Keeps one row of each index, the last one, in order of index.
 void keep_last_of_each_index(std::vector<Row>& rows) {
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.index < b.index; });
   std::size_t kept = 0;
@@ -108,7 +108,7 @@ void Journal::Impl::replace(const JournalHeader& old, const Carry& carry) {
   create(recovered);
 }
 
-/// Written and synced under another name first: a journal always has a whole header, and the rows that it begins with.
+/// Makes a journal that begins with these rows. It appears complete: a journal always has a whole header.
 void Journal::Impl::create(const std::vector<Row>& rows) {
   AtomicFile made(path);
   const JournalHeader header = make_header(identity);
@@ -127,7 +127,7 @@ void Journal::Impl::create(const std::vector<Row>& rows) {
   sync_directory_of(path);
 }
 
-/// Reads the records, a bounded number at a time; `records` is then one past the last good one.
+/// Reads the records, a bounded number at a time. Sets `records` to one past the last good record.
 void Journal::Impl::recover(const RecordCodec& their_codec) {
   const std::size_t record_size = their_codec.size();
   std::vector<std::byte> chunk(4096 * record_size);

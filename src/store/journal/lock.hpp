@@ -6,8 +6,9 @@
 
 namespace sigmasweep {
 
-/// The right to write TABLE.h5 and its journal: an exclusive fcntl lock on TABLE.h5.lock, held for life. The system
-/// takes it back when the process dies, however that happens. It holds between processes, not within one.
+/// The right to write TABLE.h5 and its journal: an exclusive fcntl lock on TABLE.h5.lock, held for the lifetime of the
+/// object. The system releases it when the process dies, however that happens. It excludes other processes, not other
+/// objects of the same process.
 class TableLock {
  public:
   /// Throws OutputError: held by another process (named by its id), or the lock file cannot be made.

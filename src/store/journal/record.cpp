@@ -18,7 +18,7 @@ constexpr std::uint64_t magic = 0x0a4c4e524a575353;  // "SSWJRNL\n" on a little-
 
 static_assert(std::has_unique_object_representations_v<JournalHeader>);
 
-/// Everything a row holds besides its index.
+/// All fields of a row besides its index.
 std::vector<Field> record_fields() {
   std::vector<Field> fields;
   for (const auto list : {parameter_fields(), result_fields(), timing_fields()})

@@ -9,13 +9,13 @@
 #include "sigmasweep/model/fields.hpp"
 #include "store/journal/journal.hpp"
 
-/// The bytes of a journal: one header, then records of one size. Numbers are the machine's own (a journal is finished
-/// where it was begun).
+/// The bytes of a journal: one header, then records of one size. Numbers are stored as the machine has them, because a
+/// journal is finished on the machine where it was begun.
 namespace sigmasweep {
 
 inline constexpr std::uint32_t journal_format_version = 1;
 
-/// What a journal starts with.
+/// The first bytes of a journal.
 struct JournalHeader {
   std::uint64_t magic = 0;
   std::uint32_t format_version = 0;
@@ -24,24 +24,26 @@ struct JournalHeader {
   std::uint64_t spec_hash = 0;
   std::uint64_t rows = 0;
   std::uint32_t physics_version = 0;
-  std::uint32_t build = 0;  ///< hash of compiler, its options and the program's version: what the last digits hang on
+  std::uint32_t build =
+      0;  ///< hash of compiler, its options and the program's version: the last digits depend on these
   std::uint64_t checksum = 0;  ///< xxh3 of all before
 };
 
-/// The header of this program's journal for that sweep.
+/// The header of this program's journal for the sweep.
 JournalHeader make_header(const JournalIdentity& identity);
 
-/// Empty if `found`, the first `size` bytes of a file, is the header for that sweep; else what is wrong with the file.
+/// Why a file whose first `size` bytes are `found` is not a journal of the sweep; empty if it is one.
 std::string why_unusable(const JournalHeader& found, std::size_t size, const JournalIdentity& identity);
 
-/// Rows to records and back. A record is: index, content key, every field of the row packed, checksum. The checksum
-/// is seeded with the header's and with the record's number in the file, so a record is good only at its own place.
+/// Makes records of rows and rows of records. A record consists of index, content key, all fields of the row packed,
+/// and checksum. The checksum is seeded with that of the header and with the number of the record in the file, so that
+/// a record is valid only at its own place.
 class RecordCodec {
  public:
   explicit RecordCodec(const JournalHeader& header);
   std::size_t size() const { return size_; }
   void encode(const Row& row, std::uint64_t number, std::byte* record) const;
-  /// Nothing for a record that is damaged or does not belong to this sweep.
+  /// The row of a record; nothing if the record is damaged or does not belong to this sweep.
   std::optional<Row> decode(const std::byte* record, std::uint64_t number) const;
 
  private:

@@ -67,7 +67,7 @@ std::uint64_t checksum_of_rows(std::span<const std::byte> rows, std::size_t row_
 std::uint64_t checksum_of_stored_rows(hid_t dataset, std::uint64_t first, std::uint64_t rows) {
   constexpr std::uint64_t bytes_at_a_time = std::uint64_t{1} << 20;
   const char* const cannot = "cannot read the rows";
-  // Read as what it is in the file, so nothing is converted.
+  // Read in the file's own type, so that nothing is converted.
   const Handle type(H5Dget_type(dataset), H5Tclose, cannot), space(H5Dget_space(dataset), H5Sclose, cannot);
   const std::size_t row_size = H5Tget_size(type);
   if (row_size == 0) throw IoError(cannot);

@@ -12,17 +12,18 @@
 /// the ranks sum their own rows in any division, and a row is good at its own place only.
 namespace sigmasweep {
 
-/// Of what a compound type of the file says about its members: a line "name offset type" for each, types as numpy
-/// writes them ("<f8"), an enumeration's followed by its " name=value". Throws IoError for other types of members.
+/// Checksum of the text that describes the members of a compound type of the file: a line "name offset type" for each
+/// member, types as numpy writes them ("<f8"), an enumeration followed by its " name=value". Throws IoError for other
+/// types of members.
 std::uint64_t checksum_of_layout(hid_t compound);
 
-/// Of whole rows, of which the first has the number `first`.
+/// Checksum of whole rows; the first of them has the number `first`.
 std::uint64_t checksum_of_rows(std::span<const std::byte> rows, std::size_t row_size, std::uint64_t first);
 
-/// Of rows first, ..., first + rows - 1 of a one-dimensional dataset. Throws IoError.
+/// Checksum of rows first, ..., first + rows - 1 of a one-dimensional dataset. Throws IoError.
 std::uint64_t checksum_of_stored_rows(hid_t dataset, std::uint64_t first, std::uint64_t rows);
 
-/// The attribute. Throw IoError.
+/// Write and read the attribute. Throw IoError.
 void write_checksum(hid_t dataset, std::uint64_t checksum);
 std::uint64_t read_checksum(hid_t dataset);
 

@@ -10,10 +10,10 @@
 /// The root attributes of a table.
 namespace sigmasweep {
 
-/// Rank 0's, on every rank: HDF5 wants collective metadata to be the same everywhere.
+/// Rank 0's info, on every rank: HDF5 wants collective metadata to be the same everywhere. Collective.
 TableInfo common_info(const RankGroup& group, TableInfo info);
 
-/// Collective, with a common info; or for a file of one rank.
+/// Writes the root attributes. Collective, with the common_info(); or for a file of one rank.
 void write_info(hid_t file, const char* format, std::uint64_t format_version, const TableInfo& info,
                 std::uint64_t rows);
 
@@ -22,7 +22,8 @@ struct StoredInfo {
   std::uint64_t rows = 0;
 };
 
-/// Throws IoError for a file that is no table, or one of a format that this program does not know.
+/// Reads the root attributes. Throws IoError for a file that is no table, or of a format that this program does not
+/// know.
 StoredInfo read_info(hid_t file);
 
 }  // namespace sigmasweep

@@ -6,8 +6,8 @@
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/row.hpp"
 
-/// Rows as bytes: the wanted fields one after another without padding, so that equal rows are equal bytes.
-/// Journal records and table rows are both made of this.
+/// Rows as bytes: the wanted fields one after another without padding, so that equal rows are equal bytes. Both the
+/// records of a journal and the rows of a table have this form.
 namespace sigmasweep {
 
 /// Bytes that one value of this type takes.

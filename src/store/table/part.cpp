@@ -16,7 +16,7 @@
 namespace sigmasweep {
 namespace {
 
-/// How many rows are packed or read at a time: bounds the memory, and keeps transfers far below MPI's 2 GiB.
+/// Number of rows that are packed or read at a time. It bounds the memory, and keeps transfers far below MPI's 2 GiB.
 std::uint64_t rows_per_transfer(const Section& section) {
   constexpr std::uint64_t bytes_per_transfer = std::uint64_t{32} << 20;
   return bytes_per_transfer / packed_size(section.fields);
@@ -31,7 +31,8 @@ Handle create_file(const RankGroup& group, const std::string& path) {
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "cannot create"};
 }
 
-/// Contiguous, of known size, allocated at once and not filled; units, meanings and checksum as its attributes.
+/// Creates a contiguous dataset of known size, allocated at once and not filled, with units, meanings and checksum as
+/// its attributes.
 Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows, std::uint64_t checksum) {
   const std::string what = "cannot create dataset " + section.name;
   const Handle creation = property_list(H5P_DATASET_CREATE);
@@ -52,7 +53,7 @@ Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows, st
   return dataset;
 }
 
-/// `rows` rows of the dataset from `first` on, or no rows.
+/// The selection of `rows` rows of the dataset from `first` on; `rows` may be 0.
 Handle select(hid_t dataset, std::uint64_t first, std::uint64_t rows) {
   Handle space(H5Dget_space(dataset), H5Sclose, "cannot select rows");
   const hsize_t start = first, count = rows;
@@ -62,7 +63,7 @@ Handle select(hid_t dataset, std::uint64_t first, std::uint64_t rows) {
   return space;
 }
 
-/// The same number of rows in memory.
+/// The dataspace of `rows` rows in memory.
 Handle memory_space(std::uint64_t rows) {
   const hsize_t extent = std::max<std::uint64_t>(rows, 1);
   Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose, "cannot select rows");
@@ -81,7 +82,7 @@ std::uint64_t checksum_of(const Section& section, const Block& block) {
   return sum;
 }
 
-/// Collective: one write of all ranks' rows, or a few if there are very many.
+/// Writes the rows of all ranks in one collective write, or in a few if there are very many.
 void write_dataset(const RankGroup& group, hid_t dataset, const Section& section, Block block) {
   const std::string what = "cannot write dataset " + section.name;
   const std::size_t row_size = packed_size(section.fields);

@@ -8,7 +8,7 @@
 #include "mpi/rank_group.hpp"
 #include "store/table/table.hpp"
 
-/// The steps of write_table: write PATH.part together, then read it back.
+/// The steps of write_table(): all ranks write PATH.part, then read it back.
 namespace sigmasweep {
 
 /// One dataset of a table.
@@ -23,10 +23,10 @@ struct Block {
   std::span<const Row> rows;
 };
 
-/// What checks a dataset.
+/// The checksums of a dataset.
 struct Checksums {
-  std::uint64_t block = 0;    ///< of some of its rows
-  std::uint64_t dataset = 0;  ///< of all, and of the layout: what the file says about itself (table_checksum.hpp)
+  std::uint64_t block = 0;    ///< of a block of its rows
+  std::uint64_t dataset = 0;  ///< of all rows and of the layout; the file has it as an attribute (checksum.hpp)
   bool operator==(const Checksums&) const = default;
 };
 
@@ -38,8 +38,8 @@ void reserve_space(const std::string& path, std::uint64_t bytes);
 std::vector<Checksums> write_part(const RankGroup& group, const std::string& path, const TableInfo& info,
                                   std::span<const Section> sections, std::uint64_t total_rows, Block block);
 
-/// Reads the table that write_part() wrote, on this rank alone; returns the checksums, with those of that range of
-/// rows. Throws IoError if the file is anything else but such a table.
+/// Reads the table that write_part() wrote, on this rank alone. Returns the checksums of each dataset, with those of
+/// this range of rows. Throws IoError if the file is anything else.
 std::vector<Checksums> checksums_in_part(const std::string& path, std::span<const Section> sections,
                                          std::uint64_t total_rows, std::uint64_t first, std::uint64_t rows);
 

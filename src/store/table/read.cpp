@@ -19,8 +19,8 @@
 namespace sigmasweep {
 namespace {
 
-/// Whether every name of the HDF5 enumeration is one of `names`: HDF5 converts by name, but those that it does not
-/// find it takes for others, without a word.
+/// Whether every name of the HDF5 enumeration is one of `names`. HDF5 converts by name, but silently takes a name that
+/// it does not find for another one.
 bool has_only(hid_t enumeration, std::span<const std::string_view> names) {
   const auto members = static_cast<unsigned>(check(H5Tget_nmembers(enumeration), "cannot count the members"));
   for (unsigned i = 0; i < members; ++i)
@@ -28,14 +28,14 @@ bool has_only(hid_t enumeration, std::span<const std::string_view> names) {
   return true;
 }
 
-/// Whether a member of that HDF5 type can be read into such a field.
+/// Whether a member of this HDF5 type can be read into a field of this type.
 bool convertible(hid_t member, FieldType type) {
   const H5T_class_t found = H5Tget_class(member);
   if (const auto names = enumerators(type); !names.empty()) return found == H5T_ENUM && has_only(member, names);
   return found == (type == FieldType::real ? H5T_FLOAT : H5T_INTEGER);
 }
 
-/// The fields that the dataset has, in its order, out of `known`; members of other names are passed over.
+/// Those of the `known` fields that the dataset has, in its order. Members of other names are ignored.
 std::vector<Field> fields_in(hid_t type, const std::vector<Field>& known) {
   if (H5Tget_class(type) != H5T_COMPOUND) throw IoError("its rows are not compounds");
   std::vector<Field> fields;
@@ -51,13 +51,13 @@ std::vector<Field> fields_in(hid_t type, const std::vector<Field>& known) {
   return fields;
 }
 
-/// Reads the `known` members of a dataset of `total_rows` rows into `rows`; returns which ones it has.
+/// Reads the `known` members of a dataset of `total_rows` rows into `rows`. Returns the fields that the dataset has.
 std::vector<Field> read_rows(hid_t file, const std::string& name, const std::vector<Field>& known,
                              std::uint64_t total_rows, std::vector<Row>& rows) {
   const std::string what = "cannot read dataset " + name;
   const Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, what);
   const Handle stored(H5Dget_type(dataset), H5Tclose, what), space(H5Dget_space(dataset), H5Sclose, what);
-  // The space on disk is compared too, so that a false extent makes nobody allocate memory for it.
+  // The space on disk is compared as well, so that no memory is allocated for a false extent.
   const std::uint64_t in_file = H5Dget_storage_size(dataset), row_size = H5Tget_size(stored);
   if (H5Sget_simple_extent_ndims(space) != 1 ||
       H5Sget_simple_extent_npoints(space) != static_cast<hssize_t>(total_rows) || row_size == 0 ||

@@ -8,13 +8,13 @@
 #include "sigmasweep/model/fields.hpp"
 #include "store/hdf5/handle.hpp"
 
-/// What a table looks like in HDF5, for the writer and the reader.
+/// The HDF5 types of a table, for the writer and the reader.
 namespace sigmasweep {
 
 inline constexpr const char* table_format = "sigmasweep-table";
 inline constexpr std::uint64_t table_format_version = 2;
 
-/// The HDF5 type of one value: the machine's numbers; enumerations with the names of their values.
+/// The HDF5 type of one value: a number of the machine, or an enumeration with the names of its values.
 Handle value_type(FieldType type);
 
 /// The compound of `fields` as pack() lays them out. The same in the file and in memory: with nothing to convert,

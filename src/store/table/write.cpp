@@ -25,12 +25,13 @@ constexpr const char* part_suffix = ".part";
 
 std::string part_of(const std::string& path) { return path + part_suffix; }
 
-/// What Open MPI keeps beside a file while ranks have it open together, and leaves there if they are killed.
-void remove_company_of(const std::string& part) {
+/// Removes the files that Open MPI keeps beside a file while ranks have it open together. Ranks that are killed leave
+/// them behind.
+void remove_mpi_files_of(const std::string& part) {
   namespace fs = std::filesystem;
   const fs::path path(part);
   const std::string name = path.filename();
-  std::error_code none;  // what cannot be removed does no harm
+  std::error_code none;  // a file that cannot be removed does no harm
   for (fs::directory_iterator it(path.has_parent_path() ? path.parent_path() : ".", none), end; it != end;
        it.increment(none)) {
     const std::string other = it->path().filename();
@@ -42,19 +43,20 @@ void remove_company_of(const std::string& part) {
   }
 }
 
-/// Rank 0 makes an empty file and finds out whether the disk has room for what it will be, before HDF5 is asked to do
-/// anything: with a full disk HDF5 over MPI-IO reports success all along.
+/// Makes an empty file and finds out whether the disk has room for the table, before HDF5 is asked to do anything: with
+/// a full disk HDF5 over MPI-IO reports success all along. On rank 0.
 void prepare(const std::string& path, std::optional<AtomicFile>& file, std::uint64_t bytes) {
   struct stat there {};
   if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
     throw OutputError(fmt::format("{} is there already and is no file", path));
-  remove_company_of(part_of(path));
+  remove_mpi_files_of(part_of(path));
   file.emplace(path, part_suffix);
   file->close();
   reserve_space(file->part(), bytes);
 }
 
-/// The ranks' file systems may differ, and a rank that cannot open the file would leave the others waiting for it.
+/// Throws OutputError if this rank cannot open the file that rank 0 created: the file systems of the ranks may differ,
+/// and a rank that fails later would leave the others waiting for it.
 void see_same_file(const std::string& part, int rank) {
   if (!File(part, O_RDWR).is_open())
     throw OutputError(
@@ -63,7 +65,7 @@ void see_same_file(const std::string& part, int rank) {
                     rank, part, reason(errno)));
 }
 
-/// The blocks must cover the table; nothing would fill a gap.
+/// Requires that the blocks cover the table: nothing would fill a gap.
 void check_blocks(const RankGroup& group, const Slice& slice, std::uint64_t total_rows, const Block& block) {
   const std::uint64_t rows = group.sum(block.rows.size());
   group.run_collective([&] {
@@ -74,7 +76,7 @@ void check_blocks(const RankGroup& group, const Slice& slice, std::uint64_t tota
   });
 }
 
-/// Every rank reads what the next one wrote: its own rows it might find in its own machine's memory.
+/// Every rank reads the rows of another rank: its own rows it might find in its own machine's memory.
 void read_back(const RankGroup& group, const std::string& part, std::span<const Section> sections,
                std::uint64_t total_rows, const Block& block, const std::vector<Checksums>& checksums) {
   std::vector<std::uint64_t> message{block.first, block.rows.size()};
@@ -92,7 +94,7 @@ void read_back(const RankGroup& group, const std::string& part, std::span<const 
   });
 }
 
-/// From here on PATH is there, whole, whatever happens.
+/// Makes PATH the complete table. From here on it stays, whatever happens.
 void publish(AtomicFile& file, const std::string& path) {
   seal(file.part());
   file.publish();
