@@ -54,17 +54,6 @@ Column<Real> reduced_column(const Parameters& parameters);
 template <class Real>
 Column<Real> si_column(const Parameters& parameters);
 
-/// What a solver hands back, in the column's units.
-template <class Real>
-struct Outcome {
-  std::vector<Real> velocity;  ///< final velocities of beads 1..N
-  Real t_k{};                  ///< from the first to the last contact with the wall
-  Real x_max{};                ///< largest overlap
-  std::uint64_t contacts = 0;  ///< contacts closed and opened again
-  End end = End::none;
-  Status status = Status::ok;
-};
-
 /// The ratios that a set of final velocities means. Masses as in Column: empty where all are 1.
 template <class Real>
 struct Energies {

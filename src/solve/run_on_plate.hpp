@@ -8,6 +8,8 @@
 #include "sigmasweep/model/result.hpp"
 #include "solve/observer/lattice_statistics.hpp"
 #include "solve/observer/vibration_statistics.hpp"
+#include "solve/outcome.hpp"
+#include "solve/run_limits.hpp"
 
 /// Runs of soft spheres on a vibrated plate, Sec. V: they start at rest relative to it when it begins to move as z0(t)
 /// = A0 sin(2 pi f t), Eq. (1), and are averaged over all periods after the transient.
@@ -49,15 +51,12 @@ SimulationResult run_lattice_on_plate(const Parameters& p, const Follow& follow)
 /// Periods after which a recorded run gives up at the latest.
 inline constexpr double max_recorded_periods = 1e6;
 
-/// Limits of a column's run from contact event to contact event.
-struct PlateLimits {
-  std::uint64_t events;  ///< contacts
-  std::uint64_t work;    ///< contacts moved, summed over the steps: some seconds a period
-};
-inline PlateLimits plate_limits(const Parameters& p, double periods) {
+/// Limits of a column's run from contact event to contact event: some seconds a period.
+inline RunLimits plate_limits(const Parameters& p, double periods, ComputeBudget* budget) {
   const auto N = static_cast<double>(p.N);
-  return {.events = static_cast<std::uint64_t>(periods * (1e5 + 100.0 * N * N)),
-          .work = static_cast<std::uint64_t>(periods * (1e8 + 1e7 * N))};
+  return {.event_limit = static_cast<std::uint64_t>(periods * (1e5 + 100.0 * N * N)),
+          .work_limit = static_cast<std::uint64_t>(periods * (1e8 + 1e7 * N)),
+          .budget = budget};
 }
 
 }  // namespace sigmasweep

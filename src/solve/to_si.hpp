@@ -6,6 +6,7 @@
 #include "assembly/column.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/model/result.hpp"
+#include "solve/outcome.hpp"
 
 namespace sigmasweep {
 

@@ -6,26 +6,44 @@
 
 #include "sigmasweep/model/result.hpp"
 
-/// Error bars of what is integrated with local errors of a given size: by a second run with ten times as large ones.
+/// Error bars of collisions that are integrated with local errors of a given size: by the difference from a second run
+/// with local errors ten times as large.
 namespace sigmasweep {
 
-/// Largest seen of (error - `doubt` times the difference of the runs)/(local accuracy), for random tuples with N to 20.
+/// Largest seen of (error - `chance` times the difference of the runs)/(local accuracy), for random tuples with N
+/// to 20.
 inline constexpr double amplification = 100.0;
-/// How much the difference between the runs may be too small by chance.
-inline constexpr double doubt = 4.0;
-/// Local accuracies that the types can make good.
+/// Factor by which the difference of the two runs may be too small by chance.
+inline constexpr double chance = 4.0;
+/// Local accuracies that the number types can keep.
 inline constexpr double finest_double = 1e-15, finest_long_double = 1e-19;
 
-/// What two runs' eps_eff, which differ by `difference`, are worth; `left`: what the runs left out at the end.
+/// Error bar of eps_eff from two runs that differ by `difference`; `left`: what the runs left out at the end.
 inline double twin_error(const SimulationResult& c, double difference, double accuracy, double left) {
-  return doubt * difference + amplification * accuracy + left + std::numeric_limits<double>::epsilon() * c.eps_eff;
+  return chance * difference + amplification * accuracy + left + std::numeric_limits<double>::epsilon() * c.eps_eff;
+}
+
+/// The collision with local errors of `accuracy`, its error from a second run with ten times as much:
+///     Outcome solve(accuracy)                       one run
+///     SimulationResult to_result(outcome)           the result that it means, without an error
+///     double difference(outcome, other)             of eps_eff, between two runs that have come to an end
+///     double error(result, outcome, other, difference)   eps_eff_error; a second run without an end differs by 1
+template <class Solve, class ToResult, class Difference, class Error>
+SimulationResult run_with_error_bar(double accuracy, Solve&& solve, ToResult&& to_result, Difference&& difference,
+                                    Error&& error) {
+  const auto outcome = solve(accuracy);
+  SimulationResult c = to_result(outcome);
+  if (c.status != Status::ok) return c;
+  const auto other = solve(accuracy * 10.0);
+  c.eps_eff_error = error(c, outcome, other, other.status == Status::ok ? difference(outcome, other) : 1.0);
+  return c;
 }
 
 /// SimulationResult run.operator()<Real>(accuracy), a collision with eps_eff_error, is called until that meets the
 /// tolerance: with ever finer accuracies, in long double in the end. Status::tolerance_missed with the smallest error
 /// found where none meets it.
 template <class Run>
-SimulationResult to_tolerance(double tolerance, Run&& run) {
+SimulationResult refine_until(double tolerance, Run&& run) {
   double accuracy = std::max(1e-3 * tolerance, finest_double);
   SimulationResult c = run.template operator()<double>(accuracy);
   if (c.status != Status::ok || c.eps_eff_error <= tolerance) return c;

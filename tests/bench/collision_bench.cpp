@@ -36,7 +36,7 @@ Parameters tuple(double sigma) {
 double reference(const Parameters& p) {
   static std::map<double, double> known;
   if (const auto found = known.find(p.sigma); found != known.end()) return found->second;
-  ExactOptions to_the_end;
+  RunLimits to_the_end;
   to_the_end.settle = 0.0;
   const auto outcome = exact_collision<Quad>(reduced_column<Quad>(p), to_the_end);
   return known[p.sigma] = static_cast<double>(energies<Quad>(outcome.velocity, Quad(1)).eps_eff);

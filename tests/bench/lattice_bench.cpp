@@ -10,6 +10,7 @@
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/exact/lattice/collision.hpp"
 #include "solve/fixed_step/lattice/collision.hpp"
 
 namespace {
@@ -42,7 +43,7 @@ void count(benchmark::State& state, std::uint64_t contacts, double contact_time 
 void from_event_to_event(benchmark::State& state, std::int64_t rows, std::int64_t columns, double sigma) {
   const auto lattice = reduced_lattice<double>(scene(rows, columns, sigma));
   LatticeOutcome<double> outcome;
-  for (auto _ : state) outcome = lattice_collision(lattice, {.accuracy = 1e-7});
+  for (auto _ : state) outcome = lattice_collision(lattice, 1e-7);
   count(state, outcome.contacts, outcome.contact_time);
 }
 

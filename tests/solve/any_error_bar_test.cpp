@@ -28,10 +28,10 @@ double linear_error(const Parameters& p, const SimulationResult& c) {
     using Real = decltype(real);
     using std::abs;
     const auto column = reduced_column<Real>(p);
-    ExactOptions options;
-    options.settle = 1e-17;
-    options.work_limit = std::numeric_limits<Real>::digits > 64 ? 100'000 : 2'000'000;  // about a second
-    const auto outcome = exact_collision(column, options);
+    RunLimits limits;
+    limits.settle = 1e-17;
+    limits.work_limit = std::numeric_limits<Real>::digits > 64 ? 100'000 : 2'000'000;  // about a second
+    const auto outcome = exact_collision(column, limits);
     if (outcome.status != Status::ok) return cannot_tell;
     return double(abs(energies<Real>(outcome.velocity, Real(1), column.mass).eps_eff - Real(c.eps_eff)));
   };
@@ -42,11 +42,8 @@ double linear_error(const Parameters& p, const SimulationResult& c) {
 /// Of the other laws, with local errors of 1e-16.
 double nonlinear_error(const Parameters& p, const SimulationResult& c) {
   const auto column = reduced_column<long double>(p);
-  NonlinearOptions options;
-  options.accuracy = 1e-16;
-  options.settle = 1e-15;
-  options.work_limit = 1'000'000;
-  const auto outcome = nonlinear_collision(column, options);
+  const RunLimits limits{.settle = 1e-15, .work_limit = 1'000'000};
+  const auto outcome = nonlinear_collision(column, 1e-16, limits);
   if (outcome.status != Status::ok) return cannot_tell;
   return std::fabs(double(energies<long double>(outcome.velocity, 1.0L, column.mass).eps_eff - c.eps_eff));
 }

@@ -139,7 +139,7 @@ std::vector<double> there_and_back(const Column<double>& column, double duration
     back.gaps.push_back(-samples.x(0)[k]);
     rates.push_back(-samples.u(0)[k]);
   }
-  ExactOptions to_the_end;
+  RunLimits to_the_end;
   to_the_end.settle = 0.0;
   const auto outcome = exact_collision_from<double>(back, rates, to_the_end);
   EXPECT_EQ(outcome.status, Status::ok);

@@ -7,6 +7,7 @@
 #include "assembly/energy_on_plate.hpp"
 #include "assembly/ground.hpp"
 #include "solve/exact/event_loop.hpp"
+#include "solve/outcome.hpp"
 
 namespace sigmasweep {
 

@@ -13,16 +13,17 @@
 
 namespace sigmasweep {
 
-Outcome<double> hard_sphere_collision(const Column<double>& column, const HardSphereOptions& options) {
+Outcome<double> hard_sphere_collision(const Column<double>& column, const HardSphereSettings& settings,
+                                      const RunLimits& limits) {
   NullObserver nobody;
-  Outcome<double> outcome = HardSphereColumn(column, options).run(nobody);
+  Outcome<double> outcome = HardSphereColumn(column, settings, limits).run(nobody);
   for (double& v : outcome.velocity) v *= column.speed;
   outcome.t_k *= length_of(column) / column.speed;
   return outcome;
 }
 
 void observe_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples) {
-  HardSphereColumn(column, {.settle = 0.0, .rule = rule}).run(samples);  // to the last sample
+  HardSphereColumn(column, {.rule = rule}, {.settle = 0.0}).run(samples);  // to the last sample
 }
 
 namespace {
@@ -45,16 +46,16 @@ Column<Real> twin_of(Column<Real> column) {
 
 struct Computed {
   SimulationResult result;
-  double doubt;  ///< HardSphereColumn::doubt()
+  double clock_resolution_error;  ///< of eps_eff, see HardSphereColumn
 };
 
 template <class Real>
-Computed computed_in(const Parameters& p, HardSphereOptions options) {
+Computed computed_in(const Parameters& p, HardSphereSettings settings, const RunLimits& limits) {
   using std::abs;
   const Column<Real> column = reduced_column<Real>(p);
   const std::span<const Real> mass = column.mass;
   NullObserver nobody;
-  HardSphereColumn<Real> run(column, options);
+  HardSphereColumn<Real> run(column, settings, limits);
   Outcome<Real> outcome = run.run(nobody);
   outcome.t_k *= length_of(column);
   const bool given_up = outcome.status == Status::event_limit;
@@ -66,37 +67,38 @@ Computed computed_in(const Parameters& p, HardSphereOptions options) {
   if (!given_up) {
     // Other collisions count as simultaneous, too, as in columns that come close to collapse, and escape.
     const Column<Real> twin = twin_of(column);
-    options.same_time *= 64.0;
-    options.collapsed_speed *= 64.0;
-    const Outcome<Real> other = HardSphereColumn<Real>(twin, options).run(nobody);
+    settings.same_time *= 64.0;
+    settings.collapsed_speed *= 64.0;
+    const Outcome<Real> other = HardSphereColumn<Real>(twin, settings, limits).run(nobody);
     error += abs(energies<Real>(outcome.velocity, Real(1), mass).eps_eff -
                  energies<Real>(other.velocity, Real(1), twin.mass).eps_eff);
   }
   if (std::isfinite(c.eps_eff))
     c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;
-  return {c, static_cast<double>(run.doubt())};
+  return {c, static_cast<double>(run.clock_resolution_error())};
 }
 
 /// The better of two results. Where the clock was too coarse for both, they differ by what that may matter.
 SimulationResult better_of(const Computed& fast, const Computed& wide, double tolerance) {
   const SimulationResult &f = fast.result, &w = wide.result;
-  const double fast_error = f.eps_eff_error + fast.doubt;
-  const double wide_error = w.eps_eff_error + std::min(wide.doubt, std::fabs(f.eps_eff - w.eps_eff));
+  const double fast_error = f.eps_eff_error + fast.clock_resolution_error;
+  const double wide_error = w.eps_eff_error + std::min(wide.clock_resolution_error, std::fabs(f.eps_eff - w.eps_eff));
   return wide_error < fast_error ? with_error(w, wide_error, tolerance) : with_error(f, fast_error, tolerance);
 }
 
 }  // namespace
 
 SimulationResult simulate_hard_spheres(const Parameters& p, ComputeBudget* budget) {
-  HardSphereOptions options{.settle = 1e-3 * p.tolerance, .rule = p.ed_rule, .budget = budget};
-  const Computed fast = computed_in<double>(p, options);
+  HardSphereSettings settings{.rule = p.ed_rule};
+  RunLimits limits{.settle = 1e-3 * p.tolerance, .budget = budget};
+  const Computed fast = computed_in<double>(p, settings, limits);
   const SimulationResult& c = fast.result;
-  const double error = c.eps_eff_error + fast.doubt;
+  const double error = c.eps_eff_error + fast.clock_resolution_error;
   if (error <= p.tolerance || !(c.contacts <= quad_limit)) return with_error(c, error, p.tolerance);
-  options.collision_limit = quad_limit;
-  options.same_time = 1e-28;
-  options.collapsed_speed = 1e-30;
-  return better_of(fast, computed_in<Quad>(p, options), p.tolerance);
+  limits.event_limit = quad_limit;
+  settings.same_time = 1e-28;
+  settings.collapsed_speed = 1e-30;
+  return better_of(fast, computed_in<Quad>(p, settings, limits), p.tolerance);
 }
 
 }  // namespace sigmasweep

@@ -12,6 +12,7 @@
 #include "numerics/tournament.hpp"
 #include "solve/hard_spheres/cluster.hpp"
 #include "solve/hard_spheres/collision.hpp"
+#include "solve/stop_logic.hpp"
 
 namespace sigmasweep {
 
@@ -42,26 +43,25 @@ Real spread(const std::vector<Real>& mass) {
 template <class Real>
 class HardSphereColumn {
  public:
-  HardSphereColumn(const Column<Real>& column, const HardSphereOptions& options)
+  HardSphereColumn(const Column<Real>& column, const HardSphereSettings& settings, const RunLimits& limits)
       : contacts_(static_cast<std::size_t>(column.N)),
         e_(column.eps),
         e_wall_(column.eps_wall),
-        options_(options),
+        settings_(settings),
+        stop_(limits, own_limit(column.N), std::numeric_limits<std::uint64_t>::max()),
         state_(contacts_),
         spread_(spread(column.mass)),
         due_(contacts_),
         impacts_(contacts_),
-        touching_gap_(options.same_time) {
+        touching_gap_(settings.same_time) {
     const double N = static_cast<double>(column.N);
-    if (!column.mass.empty() || !column.gaps.empty()) options_.same_time *= 1e-3;  // no symmetry makes times the same
+    if (!column.mass.empty() || !column.gaps.empty()) settings_.same_time *= 1e-3;  // no symmetry makes times the same
     const Real length = length_of(column);
-    if (options_.collision_limit == 0)
-      options_.collision_limit = static_cast<std::uint64_t>(std::min(1e7 + 10.0 * N * N, 2e8));
-    if (options_.rule == EdRule::tc) memory_ = column.gap > 0 ? Real(column.tc * column.speed / length) : infinity;
+    if (settings_.rule == EdRule::tc) memory_ = column.gap > 0 ? Real(column.tc * column.speed / length) : infinity;
     for (std::size_t k = 0; k < contacts_; ++k) state_[k].gap = column.initial_gap(k) / length;
     state_[0].above = 1;
     if (!column.mass.empty()) take_masses(column.mass);
-    settled_below_ = 2 * spread_ * std::sqrt(N * options_.settle);
+    settled_below_ = 2 * spread_ * std::sqrt(N * stop_.settle());
     state_[0].u = 1;
     schedule(0);
   }
@@ -71,12 +71,8 @@ class HardSphereColumn {
   Outcome<Real> run(Watcher& watcher) {
     show(watcher, 0.0);
     while (outcome_.end == End::none) {
-      if (outcome_.contacts >= options_.collision_limit) {
-        outcome_.status = Status::event_limit;
-        break;
-      }
-      if (options_.budget && options_.budget->is_over(1)) {
-        outcome_.status = Status::time_limit;
+      if (const Status stop = stop_.why_stop(outcome_.contacts, 0, 1); stop != Status::ok) {
+        outcome_.status = stop;
         break;
       }
       if (const std::size_t k = impacts_.first(); impacts_.time_of(k) < 0)
@@ -91,12 +87,13 @@ class HardSphereColumn {
     return outcome_;
   }
 
-  /// After run(): how far the clock was too coarse. In a series of ever faster collisions, which may or may not be
-  /// infinite, times cease to be told apart; where the beads go from there is uncertain by their speeds relative to
-  /// each other. The largest of these, with as much of it as rounding is of the time to the next collision.
-  Real doubt() const {
+  /// Error of eps_eff, after run(), because the clock was too coarse. In a series of ever faster collisions, which may
+  /// or may not be infinite, times cease to be told apart; where the beads go from there is uncertain by their speeds
+  /// relative to each other. The largest of these speeds, times the share that rounding has in the time to the next
+  /// collision.
+  Real clock_resolution_error() const {
     Real largest = 0;
-    for (const Contact& contact : state_) largest = std::max(largest, contact.doubt);
+    for (const Contact& contact : state_) largest = std::max(largest, contact.clock_error);
     return largest;
   }
 
@@ -109,8 +106,8 @@ class HardSphereColumn {
 
   struct Contact {
     Real gap = 0, u = 0, since = 0;
-    Real last = -infinity;  ///< time of the last collision
-    Real doubt = 0;
+    Real last = -infinity;          ///< time of the last collision
+    Real clock_error = 0;           ///< see clock_resolution_error()
     Real below = 0.5, above = 0.5;  ///< share of the lower and the upper bead in a change of u, by their masses
   };
 
@@ -124,6 +121,11 @@ class HardSphereColumn {
           u[k] = state_[k].u;
         }
       });
+  }
+
+  static std::uint64_t own_limit(std::int64_t beads) {
+    const double N = static_cast<double>(beads);
+    return static_cast<std::uint64_t>(std::min(1e7 + 10.0 * N * N, 2e8));
   }
 
   void take_masses(const std::vector<Real>& mass) {
@@ -159,7 +161,7 @@ class HardSphereColumn {
     for (; same_as_now(due_.time_of(k)); k = due_.first()) touch(k);
   }
 
-  bool same_as_now(const Real& time) const { return time - now_ <= options_.same_time * now_; }
+  bool same_as_now(const Real& time) const { return time - now_ <= settings_.same_time * now_; }
 
   /// Contact k, the next to collide, can change eps_eff by at least m_ij u^2/(4 M), m_ij = 2 m_i m_j/(m_i + m_j), M
   /// the mass of the column, so there is no need to look before that is small; and then not at every collision. A
@@ -169,7 +171,7 @@ class HardSphereColumn {
     if (contact.u > settled_below_ || outcome_.contacts < next_look_) return false;
     if (is_again(contact, due_.time_of(k))) return false;
     next_look_ = outcome_.contacts + contacts_;
-    return residual_dissipation<Real>(velocities(), Real(1), masses()) < options_.settle;
+    return residual_dissipation<Real>(velocities(), Real(1), masses()) < stop_.settle();
   }
 
   static bool is_again(const Contact& contact, const Real& time) { return time - contact.last <= again * time; }
@@ -184,14 +186,14 @@ class HardSphereColumn {
   /// The touching contact that approaches fastest: a collision, or the last of infinitely many.
   void meet(std::size_t k) {
     const Contact& contact = state_[k];
-    const bool collapsed = contact.u < options_.collapsed_speed && is_again(contact, now_);
-    const bool foresees = options_.foresee_collapse && mass_.empty();
-    if (memory_ == 0 && (collapsed || (foresees && outcome_.contacts >= next_try_))) {
+    const bool collapsed = contact.u < settings_.collapsed_speed && is_again(contact, now_);
+    const bool predicts = settings_.predict_collapse && mass_.empty();
+    if (memory_ == 0 && (collapsed || (predicts && outcome_.contacts >= next_try_))) {
       find_touching(k);
       next_try_ = outcome_.contacts + 16 + touching_.size();
       const Cluster cluster = cluster_around(k - lowest_, touching_, lowest_ == 0, masses_from(lowest_));
-      if (foresees && will_collapse(cluster, static_cast<double>(e_)))
-        clear_doubts(cluster);
+      if (predicts && will_collapse(cluster, static_cast<double>(e_)))
+        clear_clock_errors(cluster);
       else if (!collapsed)
         return collide(k);
       return collapse(cluster);
@@ -205,7 +207,7 @@ class HardSphereColumn {
     Real last = state_[k].last;
     if (k > 0) last = std::max(last, state_[k - 1].last);
     if (k + 1 < contacts_) last = std::max(last, state_[k + 1].last);
-    const Real resolution = options_.same_time * now_;
+    const Real resolution = settings_.same_time * now_;
     return now_ - last < std::max(Real(memory_ - resolution), resolution);
   }
 
@@ -217,8 +219,8 @@ class HardSphereColumn {
     contact.u = -e * u;
     contact.last = now_;
     impacts_.remove(k);
-    if (k > 0) push(k - 1, contact.below * change);
-    if (k + 1 < contacts_) push(k + 1, contact.above * change);
+    if (k > 0) change_rate(k - 1, contact.below * change);
+    if (k + 1 < contacts_) change_rate(k + 1, contact.above * change);
     ++outcome_.contacts;
     if (k > 0) return;
     if (first_wall_ < 0) first_wall_ = now_;
@@ -226,7 +228,7 @@ class HardSphereColumn {
   }
 
   /// The neighbour of a collision closes faster by `change`.
-  void push(std::size_t k, const Real& change) {
+  void change_rate(std::size_t k, const Real& change) {
     using std::abs;
     Contact& contact = state_[k];
     contact.gap = gap_now(k);
@@ -250,7 +252,7 @@ class HardSphereColumn {
       return;
     }
     const Real wait = contact.gap / contact.u, due = contact.since + wait;
-    if (wait <= again * now_ && contact.gap > 0) doubt(contact, wait);
+    if (wait <= again * now_ && contact.gap > 0) note_clock_error(contact, wait);
     if (same_as_now(due)) {
       touch(k);
     } else {
@@ -259,9 +261,9 @@ class HardSphereColumn {
     }
   }
 
-  void doubt(Contact& contact, const Real& wait) {
+  void note_clock_error(Contact& contact, const Real& wait) {
     const Real share = roundings * std::numeric_limits<Real>::epsilon() * now_ / wait;
-    contact.doubt = std::max(contact.doubt, Real(std::min(share, Real(1)) * contact.u));
+    contact.clock_error = std::max(contact.clock_error, Real(std::min(share, Real(1)) * contact.u));
   }
 
   void find_touching(std::size_t k) {
@@ -277,8 +279,8 @@ class HardSphereColumn {
   }
 
   /// However the beads of a cluster that is certain to collapse got there, they stay together.
-  void clear_doubts(const Cluster& cluster) {
-    for (std::size_t j = 0; j + 1 < cluster.beads; ++j) state_[lowest_ + cluster.first + j].doubt = 0;
+  void clear_clock_errors(const Cluster& cluster) {
+    for (std::size_t j = 0; j + 1 < cluster.beads; ++j) state_[lowest_ + cluster.first + j].clock_error = 0;
   }
 
   /// Infinitely many collisions, done at once.
@@ -286,8 +288,8 @@ class HardSphereColumn {
     outcome_.status = Status::collapsed;
     const std::size_t first = lowest_ + cluster.first, end = first + cluster.beads - 1;
     for (std::size_t j = first; j < end; ++j) rest(j);
-    if (first > 0) push(first - 1, -cluster.bottom_change);
-    if (end < contacts_) push(end, cluster.top_change);
+    if (first > 0) change_rate(first - 1, -cluster.bottom_change);
+    if (end < contacts_) change_rate(end, cluster.top_change);
     if (cluster.wall) last_wall_ = now_;
     ++outcome_.contacts;
   }
@@ -309,7 +311,8 @@ class HardSphereColumn {
 
   std::size_t contacts_;
   Real e_, e_wall_;
-  HardSphereOptions options_;
+  HardSphereSettings settings_;
+  StopLogic stop_;
   Real memory_ = 0;  ///< the TC model's contact time; 0: collisions always lose
   std::vector<Contact> state_;
   std::vector<Real> mass_;  ///< below contact k, and the top one; the first is the wall. Empty where all are 1

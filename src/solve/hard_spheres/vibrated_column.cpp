@@ -23,9 +23,11 @@ constexpr double collapsed = 1e-15;
 
 }  // namespace
 
-VibratedHardSpheres::VibratedHardSpheres(const Column<double>& column, const Plate& plate, const Options& options)
+VibratedHardSpheres::VibratedHardSpheres(const Column<double>& column, const Plate& plate, const Settings& settings,
+                                         ComputeBudget* budget)
     : plate_(plate),
-      options_(options),
+      settings_(settings),
+      stop_({.event_limit = collision_limit, .budget = budget}, 0, std::numeric_limits<std::uint64_t>::max()),
       period_(plate.period()),
       e_(column.eps),
       e_wall_(column.eps_wall),
@@ -48,12 +50,10 @@ VibratedHardSpheres::VibratedHardSpheres(const Column<double>& column, const Pla
 }
 
 bool VibratedHardSpheres::gives_up() {
-  if (collisions_ - period_began_ >= options_.period_limit || collisions_ >= options_.limit)
-    status_ = Status::event_limit;
-  else if (options_.budget && options_.budget->is_over(1))
-    status_ = Status::time_limit;
-  else
-    return false;
+  const bool is_stuck = collisions_ - period_began_ >= period_limit;
+  const Status stop = is_stuck ? Status::event_limit : stop_.why_stop(collisions_, 0, 1);
+  if (stop == Status::ok) return false;
+  status_ = stop;
   return true;
 }
 
@@ -132,7 +132,7 @@ void VibratedHardSpheres::schedule(std::size_t k) {
 }
 
 /// Contact k closes faster by `change`.
-void VibratedHardSpheres::push(std::size_t k, double change) {
+void VibratedHardSpheres::change_rate(std::size_t k, double change) {
   update(k);
   Contact& contact = contacts_[k];
   const double u = contact.u + change;
@@ -142,21 +142,21 @@ void VibratedHardSpheres::push(std::size_t k, double change) {
 
 /// The touching contact that approaches fastest: a collision, or the last of infinitely many.
 void VibratedHardSpheres::meet(std::size_t k) {
-  if (options_.rule == EdRule::lrv && (comes_to_rest(k) || collapses(k))) return;
+  if (settings_.rule == EdRule::lrv && (comes_to_rest(k) || collapses(k))) return;
   collide(k);
 }
 
 /// u -> -e u. The beads share the change (1 + e) u by their masses; at the plate the bead takes all of it.
 void VibratedHardSpheres::collide(std::size_t k) {
   Contact& contact = contacts_[k];
-  const double e = options_.rule == EdRule::tc && is_elastic(k) ? 1.0 : k == 0 ? e_wall_ : e_;
+  const double e = settings_.rule == EdRule::tc && is_elastic(k) ? 1.0 : k == 0 ? e_wall_ : e_;
   const double u = contact.u, change = (1.0 + e) * u, reduced_mass = contact.mass * contact.above;
   contact.fastest = is_again(k) ? std::max(contact.fastest, u) : u;
   contact.u = -e * u;
   contact.last = now_;
   schedule(k);
-  if (k > 0) push(k - 1, contact.below * change);
-  if (k + 1 < contacts_.size()) push(k + 1, contact.above * change);
+  if (k > 0) change_rate(k - 1, contact.below * change);
+  if (k + 1 < contacts_.size()) change_rate(k + 1, contact.above * change);
   if (k == 0) in_ += plate_speed_ * reduced_mass * change;
   lost_ += 0.5 * reduced_mass * (1.0 - e) * (1.0 + e) * u * u;
   ++collisions_;
@@ -169,7 +169,7 @@ bool VibratedHardSpheres::is_elastic(std::size_t k) const {
   double last = contacts_[k].last;
   if (k > 0) last = std::max(last, contacts_[k - 1].last);
   if (k + 1 < contacts_.size()) last = std::max(last, contacts_[k + 1].last);
-  return now_ - last < options_.tc;
+  return now_ - last < settings_.tc;
 }
 
 /// Contact k is so slow that its bead, falling back to the plate, would be there within the shortest flight; so are all
@@ -248,11 +248,11 @@ void VibratedHardSpheres::join(std::size_t lowest, const Cluster& cluster) {
     contact.last = now_;
     schedule(k);
   }
-  if (first > 0) push(first - 1, -cluster.bottom_change);
+  if (first > 0) change_rate(first - 1, -cluster.bottom_change);
   if (end < contacts_.size()) {
     update(end);
     contacts_[end].gap += fall;
-    push(end, cluster.top_change);
+    change_rate(end, cluster.top_change);
   }
   ++collisions_;
 }
@@ -293,7 +293,7 @@ namespace {
 
 VibratedHardSpheres spheres_of(const Parameters& p, const Column<double>& column, ComputeBudget* budget) {
   const VibrationUnits units = vibration_units(p);
-  return {column, Plate::of(p, units), {.rule = p.ed_rule, .tc = p.tc / units.time, .budget = budget}};
+  return {column, Plate::of(p, units), {.rule = p.ed_rule, .tc = p.tc / units.time}, budget};
 }
 
 Column<double> column_of(const Parameters& p) {

@@ -14,6 +14,7 @@
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/model/result.hpp"
 #include "solve/hard_spheres/cluster.hpp"
+#include "solve/stop_logic.hpp"
 
 namespace sigmasweep {
 
@@ -32,14 +33,13 @@ class VibratedSamples;
 /// touching beads.
 class VibratedHardSpheres {
  public:
-  struct Options {
+  struct Settings {
     EdRule rule = EdRule::lrv;
-    double tc = 0.0;                                                  ///< of EdRule::tc
-    std::uint64_t period_limit = 20'000'000, limit = 20'000'000'000;  ///< collisions in a period, and in all
-    ComputeBudget* budget = nullptr;
+    double tc = 0.0;  ///< of EdRule::tc
   };
 
-  VibratedHardSpheres(const Column<double>& column, const Plate& plate, const Options& options);
+  VibratedHardSpheres(const Column<double>& column, const Plate& plate, const Settings& settings,
+                      ComputeBudget* budget);
 
   /// Until the watcher has seen enough (vibration_statistics.hpp says what one is), or status() says why not.
   template <class Watcher>
@@ -83,6 +83,8 @@ class VibratedHardSpheres {
   };
 
   bool gives_up();
+  /// Collisions in a period, and in all.
+  static constexpr std::uint64_t period_limit = 20'000'000, collision_limit = 20'000'000'000;
   void advance(double time);
   void begin_period();
   double energy() const;
@@ -96,7 +98,7 @@ class VibratedHardSpheres {
   void update(std::size_t k);
   void touch(std::size_t k);
   void schedule(std::size_t k);
-  void push(std::size_t k, double change);
+  void change_rate(std::size_t k, double change);
 
   void meet(std::size_t k);
   void collide(std::size_t k);
@@ -115,7 +117,8 @@ class VibratedHardSpheres {
   double energy_with_plate(double t) const;
 
   Plate plate_;
-  Options options_;
+  Settings settings_;
+  StopLogic stop_;
   double period_, e_, e_wall_;
   bool equal_masses_;
   std::vector<Contact> contacts_;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "solve/reference/damped_modes.hpp"
+#include "solve/stop_logic.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -30,16 +31,15 @@ struct Run {
 
 class NormalModesColumn {
  public:
-  NormalModesColumn(const Column<Real>& column, const NormalModesOptions& options)
+  NormalModesColumn(const Column<Real>& column, const RunLimits& limits)
       : column_(column),
-        options_(options),
+        stop_(limits, 100'000 + 20 * column.contacts() * column.contacts(), 2'000'000'000),
         N_(column.contacts()),
         closed_(N_, 0),
         run_of_(N_, nullptr),
         next_(N_),
         slack_(1e-18L * static_cast<Real>(N_)),
         matched_(column.K_wall != column.K) {
-    if (options_.event_limit == 0) options_.event_limit = 100'000 + 20 * N_ * N_;
     for (std::size_t k = 0; k < N_; ++k) now_.push_back({-column.initial_gap(k), 0});
     now_[0].u = column.speed;
   }
@@ -51,8 +51,7 @@ class NormalModesColumn {
         fly();
       else
         step();
-      if (outcome_.contacts > options_.event_limit || work_ > options_.work_limit)
-        outcome_.status = Status::event_limit;
+      outcome_.status = stop_.why_stop(outcome_.contacts, work_, 1);
       if (!std::isfinite(now_[0].u)) outcome_.status = Status::non_finite;
     }
     outcome_.velocity = velocities();
@@ -91,7 +90,7 @@ class NormalModesColumn {
       outcome_.end = End::separated;
       return;
     }
-    if (residual_dissipation<Real>(velocities(), column_.speed) < options_.settle) {
+    if (residual_dissipation<Real>(velocities(), column_.speed) < stop_.settle()) {
       outcome_.end = End::settled;
       return;
     }
@@ -337,7 +336,7 @@ class NormalModesColumn {
   }
 
   const Column<Real>& column_;
-  NormalModesOptions options_;
+  StopLogic stop_;
   std::size_t N_;
   ModeTables tables_;
   std::vector<State> now_;
@@ -354,12 +353,12 @@ class NormalModesColumn {
 
 }  // namespace
 
-Outcome<long double> normal_modes_collision(const Column<long double>& column, const NormalModesOptions& options) {
+Outcome<long double> normal_modes_collision(const Column<long double>& column, const RunLimits& limits) {
   const bool paper = column.K_wall == column.K && column.C_wall == column.C;
   const bool matched = column.K_wall == 2 * column.K && column.C_wall == 2 * column.C;
   if (!column.is_uniform() || !column.exponents.linear() || !(paper || matched))
     throw std::invalid_argument("normal_modes_collision: beads of one mass and the linear law only");
-  return NormalModesColumn(column, options)();
+  return NormalModesColumn(column, limits)();
 }
 
 }  // namespace sigmasweep

@@ -44,7 +44,7 @@ ReferenceValue by_modes(const Parameters& p) {
 Reference by_steps(double accuracy) {
   return [accuracy](const Parameters& p) {
     const auto column = reduced_column<long double>(p);
-    return answer(nonlinear_collision(column, {.accuracy = accuracy, .settle = settle}), column);
+    return answer(nonlinear_collision(column, accuracy, {.settle = settle}), column);
   };
 }
 
@@ -54,7 +54,7 @@ std::vector<double> exact_velocities(const Parameters& p) {
   const Column<double> column = reduced_column<double>(p);
   const double left = 1e-3 * p.tolerance;
   if (column.exponents.linear()) return exact_collision(column, {.settle = left}).velocity;
-  return nonlinear_collision(column, {.accuracy = std::max(1e-3 * p.tolerance, 1e-15), .settle = left}).velocity;
+  return nonlinear_collision(column, std::max(1e-3 * p.tolerance, 1e-15), {.settle = left}).velocity;
 }
 
 PreparedRun exact_trial(const Parameters& p) {

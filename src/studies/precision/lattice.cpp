@@ -4,6 +4,7 @@
 #include "assembly/lattice.hpp"
 #include "base/random.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "solve/exact/lattice/collision.hpp"
 #include "solve/fixed_step/lattice/collision.hpp"
 #include "studies/precision/subject.hpp"
 
@@ -25,7 +26,7 @@ std::vector<double> velocities(const Lattice<Real>& lattice, const LatticeOutcom
 Reference by_steps(double accuracy) {
   return [accuracy](const Parameters& p) {
     const auto lattice = reduced_lattice<long double>(p);
-    const auto outcome = lattice_collision(lattice, {.accuracy = accuracy, .settle = 1e-17, .work_limit = max_work});
+    const auto outcome = lattice_collision(lattice, accuracy, {.settle = 1e-17, .work_limit = max_work});
     ReferenceValue a;
     a.known = outcome.status == Status::ok;
     if (!a.known) return a;
@@ -39,7 +40,7 @@ Reference by_steps(double accuracy) {
 std::vector<double> exact_velocities(const Parameters& p) {
   const auto lattice = reduced_lattice<double>(p);
   const double accuracy = std::clamp(1e-3 * p.tolerance, 1e-15, 1e-8);
-  return velocities(lattice, lattice_collision(lattice, {.accuracy = accuracy, .settle = 1e-3 * p.tolerance}));
+  return velocities(lattice, lattice_collision(lattice, accuracy, {.settle = 1e-3 * p.tolerance}));
 }
 
 PreparedRun exact_trial(const Parameters& p, double longest) {

@@ -10,6 +10,7 @@
 #include "assembly/lattice_neighbours.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
+#include "solve/exact/lattice/collision.hpp"
 #include "solve/fixed_step/column/collision.hpp"
 #include "solve/fixed_step/lattice/collision.hpp"
 #include "solve/fixed_step/lattice/observed_collision.hpp"

@@ -27,9 +27,9 @@ bool collapses_in_the_end(std::int64_t N, double epsilon, Wall wall) {
   p.N = N;
   p.epsilon = epsilon;
   p.wall = wall;
-  const HardSphereOptions options{.settle = 0.0, .foresee_collapse = false, .collapsed_speed = 1e-290};
-  return hard_sphere_collision(reduced_column<double>(complete(p, GapParameter::s0)), options).status ==
-         Status::collapsed;
+  const HardSphereSettings settings{.predict_collapse = false, .collapsed_speed = 1e-290};
+  return hard_sphere_collision(reduced_column<double>(complete(p, GapParameter::s0)), settings, {.settle = 0.0})
+             .status == Status::collapsed;
 }
 
 bool collapses(std::int64_t N, double epsilon, Wall wall) {

@@ -60,7 +60,7 @@ TEST(HardSpheres, ElasticTouchingBeadsTurnRoundAsOne) {
 }
 
 TEST(HardSpheres, GivesUpAtTheCollisionLimit) {
-  const auto o = hard_sphere_collision(column(10, 0.9, 0.9, 1.0), {.collision_limit = 20});
+  const auto o = hard_sphere_collision(column(10, 0.9, 0.9, 1.0), {}, {.event_limit = 20});
   EXPECT_EQ(o.status, Status::event_limit);
   EXPECT_EQ(o.contacts, 20u);
 }

@@ -88,7 +88,7 @@ TEST(HardSpheresColumn, LosesEnergyAndEndsWithNobodyApproaching) {
         SCOPED_TRACE(testing::Message() << "N=" << N << " eps=" << eps << " gap=" << gap);
         Column<double> column = reduced_column<double>(ed(N, eps, Wall::paper, 0.0));
         column.gap = gap;
-        const Outcome<double> o = hard_sphere_collision(column, {.settle = 0.0});
+        const Outcome<double> o = hard_sphere_collision(column, {}, {.settle = 0.0});
         ASSERT_EQ(o.end, End::separated);
         // An infinite series of collisions is cut at 1e-16; what is left over is of that size.
         EXPECT_GE(o.velocity.front(), -1e-15);
@@ -145,7 +145,7 @@ TEST(InelasticCollapse, ForeseenIsTheSameAsFollowedToTheEnd) {
           Column<double> column = reduced_column<double>(ed(N, 1.0 - x / static_cast<double>(N), wall, 0.0));
           column.gap = gap;
           const auto foreseen = hard_sphere_collision(column);
-          const auto followed = hard_sphere_collision(column, {.foresee_collapse = false});
+          const auto followed = hard_sphere_collision(column, {.predict_collapse = false});
           ASSERT_NE(followed.status, Status::event_limit);
           EXPECT_EQ(foreseen.status, followed.status);
           collapsed += foreseen.status == Status::collapsed;

@@ -33,7 +33,7 @@ TEST_P(TcReference, IsReproduced) {
   EXPECT_EQ(c.status, Status::ok);
   EXPECT_NEAR(c.eps_eff, r.eps_eff, 1e-13);  // what is left to dissipate at the stop: a thousandth of the tolerance
   const auto column = reduced_column<double>(tc_model(r.N, r.epsilon, r.sigma, r.wall));
-  const auto to_the_end = hard_sphere_collision(column, {.settle = 0.0, .rule = EdRule::tc});
+  const auto to_the_end = hard_sphere_collision(column, {.rule = EdRule::tc}, {.settle = 0.0});
   EXPECT_EQ(to_the_end.end, End::separated);
   EXPECT_EQ(to_the_end.contacts, r.collisions);
 }

@@ -1,7 +1,8 @@
+#include "solve/exact/lattice/collision.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "assembly/lattice.hpp"
 #include "solve/to_si.hpp"
 #include "solve/twin_runs.hpp"
 
@@ -34,40 +35,20 @@ double apart(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, cons
   return energy > 0.0 ? std::sqrt(squares / (energy * mass)) / double(lattice.beads.speed) : 0.0;
 }
 
-/// What eps_eff may be off by as nobody knows when it is over: late contacts of slow beads come at times that are
-/// chaotic before eps_eff is. The runs' longest waits say by how much these are unknown, and which of them may be on
-/// the other side of quiet_time().
+/// Uncertainty of eps_eff because the moment of the end is uncertain: late contacts of slow beads come at times that
+/// are chaotic before eps_eff is. The runs' longest waits say by how much the times are uncertain, and which of the
+/// waits may be on the other side of quiet_time().
 template <class Real>
-double undecided(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, const LatticeOutcome<Real>& other) {
+double ending_uncertainty(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one,
+                          const LatticeOutcome<Real>& other) {
   const auto &waits = one.waits.longest, &others = other.waits.longest;
   double unknown = 0.0, change = 0.0;
   for (std::size_t k = 0; k < waits.size(); ++k)
     unknown = std::max(unknown, std::fabs(double(waits[k].length - others[k].length)));
   for (const auto& wait : waits)
-    if (wait.length > 0 && std::fabs(double(wait.length - lattice.quiet_time())) <= doubt * unknown)
+    if (wait.length > 0 && std::fabs(double(wait.length - lattice.quiet_time())) <= chance * unknown)
       change = std::max(change, double(wait.change));
   return change;
-}
-
-/// The collision with local errors of `accuracy`, its error from a second run with ten times as much.
-template <class Real>
-SimulationResult pair_of_runs(const Parameters& p, const LatticeOptions& options) {
-  const Lattice<Real> lattice = reduced_lattice<Real>(p);
-  LatticeOptions coarse = options;
-  coarse.accuracy *= 10.0;
-  const LatticeOutcome<Real> outcome = lattice_collision(lattice, options);
-  SimulationResult c = result(p, lattice, outcome);
-  if (c.status != Status::ok) return c;
-  const LatticeOutcome<Real> other = lattice_collision(lattice, coarse);
-  const double difference = other.status != Status::ok
-                                ? 1.0
-                                : std::max(std::fabs(eps_eff(lattice, other) - eps_eff(lattice, outcome)),
-                                           apart(lattice, outcome, other) / doubt);
-  // Both runs have the same positions after long flights, and what these cannot resolve does not differ.
-  const double from_nothing = std::max(c.eps_eff - 1.0, 0.0);
-  c.eps_eff_error = twin_error(c, difference, options.accuracy, double(outcome.remainder)) +
-                    undecided(lattice, outcome, other) + double(lattice.rounding()) + from_nothing;
-  return c;
 }
 
 /// Larger local errors hardly save time, and in rows of beads side by side are motions that do not settle.
@@ -76,9 +57,24 @@ constexpr double coarsest = 1e-8;
 }  // namespace
 
 SimulationResult simulate_lattice(const Parameters& p, ComputeBudget* budget) {
-  return to_tolerance(p.tolerance, [&]<class Real>(double accuracy) {
-    return pair_of_runs<Real>(
-        p, {.accuracy = std::min(accuracy, coarsest), .settle = 1e-3 * p.tolerance, .budget = budget});
+  return refine_until(p.tolerance, [&]<class Real>(double local_error) {
+    const RunLimits limits{.settle = 1e-3 * p.tolerance, .budget = budget};
+    const double finest = std::min(local_error, coarsest);
+    const Lattice<Real> lattice = reduced_lattice<Real>(p);
+    using Outcome = LatticeOutcome<Real>;
+    const auto solve = [&](double accuracy) { return lattice_collision(lattice, accuracy, limits); };
+    const auto to_result = [&](const Outcome& outcome) { return result(p, lattice, outcome); };
+    const auto difference = [&](const Outcome& outcome, const Outcome& other) {
+      return std::max(std::fabs(eps_eff(lattice, other) - eps_eff(lattice, outcome)),
+                      apart(lattice, outcome, other) / chance);
+    };
+    const auto error = [&](const SimulationResult& c, const Outcome& outcome, const Outcome& other, double apart) {
+      // Both runs have the same positions after long flights, and what these cannot resolve does not differ.
+      const double from_nothing = std::max(c.eps_eff - 1.0, 0.0);
+      return twin_error(c, apart, finest, double(outcome.remainder)) + ending_uncertainty(lattice, outcome, other) +
+             double(lattice.rounding()) + from_nothing;
+    };
+    return run_with_error_bar(finest, solve, to_result, difference, error);
   });
 }
 

@@ -45,22 +45,20 @@ constexpr double no_time = 1e-6;
 }  // namespace
 
 template <class Real, class Ground>
-LatticeEvents<Real, Ground>::LatticeEvents(const Lattice<Real>& lattice, const LatticeOptions& options,
+LatticeEvents<Real, Ground>::LatticeEvents(const Lattice<Real>& lattice, double accuracy, const RunLimits& limits,
                                            const Ground& ground)
     : lattice_(lattice),
-      options_(options),
+      accuracy_(std::max(accuracy, double(lattice.rounding()) / 8.0)),  // steps cannot do better
+      stop_(limits, 100'000 + 1'000 * lattice.count(), 10'000'000'000 + 20'000'000 * lattice.count()),
       ground_(ground),
       neighbours_(lattice),
-      closing_overlap_(smallest_overlap(lattice, options.accuracy)),
-      slowest_(Real(slow) * least_overlap(lattice, options.accuracy) / lattice.beads.tc),
-      longest_(longest_step(lattice, options.accuracy)),
+      closing_overlap_(smallest_overlap(lattice, accuracy)),
+      slowest_(Real(slow) * least_overlap(lattice, accuracy) / lattice.beads.tc),
+      longest_(longest_step(lattice, accuracy)),
       beads_(lattice.count()),
       touching_(lattice.count()),
       mark_(lattice.count()),
       slot_(lattice.count()) {
-  options_.accuracy = std::max(options.accuracy, double(lattice.rounding()) / 8.0);  // steps cannot do better
-  if (options_.event_limit == 0) options_.event_limit = 100'000 + 1'000 * lattice.count();
-  if (options_.work_limit == 0) options_.work_limit = 10'000'000'000 + 20'000'000 * lattice.count();
   for (std::size_t i = 0; i < beads_.size(); ++i) {
     if (!lattice.shift.empty()) beads_[i].q = lattice.shift[i];
     if constexpr (!Ground::moves) beads_[i].v = {Real(0), -lattice.beads.speed};
@@ -245,7 +243,7 @@ void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> g
   if (!held.whole) longest = std::min(longest, Real(next_beat(t) - t));
   if (!held.whole || span < never) cluster.expect(held.whole ? span : longest);
   ++held.version;
-  if (!cluster.step(t, longest)) lost_ = true;
+  if (!cluster.step(t, longest)) step_underflow_ = true;
   queue_.push({cluster.end(), Kind::step, 0, std::uint32_t(id), 0, held.version, 0});
 }
 

@@ -15,6 +15,8 @@
 #include "assembly/lattice.hpp"
 #include "assembly/lattice_neighbours.hpp"
 #include "solve/exact/lattice/cluster.hpp"
+#include "solve/outcome.hpp"
+#include "solve/stop_logic.hpp"
 
 namespace sigmasweep {
 
@@ -35,7 +37,7 @@ namespace sigmasweep {
 template <class Real, class Ground = FixedWall>
 class LatticeEvents {
  public:
-  LatticeEvents(const Lattice<Real>& lattice, const LatticeOptions& options, const Ground& ground = {});
+  LatticeEvents(const Lattice<Real>& lattice, double accuracy, const RunLimits& limits, const Ground& ground = {});
 
   /// To the end of the collision, or of the watcher's interest (lattice_samples.hpp).
   template <class Watcher>
@@ -135,7 +137,8 @@ class LatticeEvents {
   void show(Watcher& watcher, const Real& t);
 
   const Lattice<Real>& lattice_;
-  LatticeOptions options_;
+  double accuracy_;
+  StopLogic stop_;
   [[no_unique_address]] Ground ground_;
   LatticeNeighbours<Real> neighbours_;
   Real closing_overlap_, slowest_;
@@ -154,7 +157,7 @@ class LatticeEvents {
   Waits<Real> waits_;
   std::uint64_t closed_ = 0, contacts_ = 0, work_ = 0, all_work_ = 0;
   PlateWork work_done_;
-  bool lost_ = false;
+  bool step_underflow_ = false;  ///< no step length was short enough
 };
 
 }  // namespace sigmasweep

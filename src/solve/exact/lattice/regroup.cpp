@@ -29,7 +29,7 @@ std::size_t LatticeEvents<Real, Ground>::new_cluster(std::size_t count) {
     held.cluster = std::move(large_.back());
     large_.pop_back();
   }
-  if (!held.cluster) held.cluster = std::make_unique<Cluster>(lattice_, Real(options_.accuracy), ground_);
+  if (!held.cluster) held.cluster = std::make_unique<Cluster>(lattice_, Real(accuracy_), ground_);
   held.cluster->clear();
   held.counted = held.cluster->work_done();
   held.in_use = true;

@@ -1,9 +1,8 @@
-#include "solve/exact/lattice/run.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "solve/exact/lattice/collision.hpp"
 #include "solve/exact/lattice/events.hpp"
 #include "solve/exact/lattice/vibrated.hpp"
 #include "solve/fixed_step/lattice/vibrated.hpp"
@@ -21,12 +20,10 @@ constexpr double creeping = 50.0;
 
 template <class Real, class Ground>
 Status LatticeEvents<Real, Ground>::why_stop() {
-  if (lost_) return Status::non_finite;
+  if (step_underflow_) return Status::non_finite;
   const std::uint64_t work = std::exchange(work_, 1);
   all_work_ += work;
-  if (contacts_ >= options_.event_limit || all_work_ >= options_.work_limit) return Status::event_limit;
-  if (options_.budget && options_.budget->is_over(work)) return Status::time_limit;
-  return Status::ok;
+  return stop_.why_stop(contacts_, all_work_, work);
 }
 
 /// What pairs that approach, nothing touching, can lose: the sum of 1/2 m_red u^2.
@@ -86,13 +83,13 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
       break;
     } else if (closed_ == 0 && quiet == Real(0) && contacts_ > 0) {
       const Real change = later_change(approach());
-      if (change <= Real(options_.settle)) {
+      if (change <= Real(stop_.settle())) {
         outcome.remainder = change;
         outcome.end = change == Real(0) ? End::separated : End::settled;
       }
     } else if (closed_ > 0 && epoch_ + now_ > last_change_ + budget) {
       const Real change = later_change(held() + (quiet > 0 ? Real(0) : approach()));
-      if (change <= Real(options_.settle)) {
+      if (change <= Real(stop_.settle())) {
         outcome.remainder = change;
         outcome.end = End::settled;
       }
@@ -213,25 +210,25 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::follow(Watcher& watcher) requi
 }
 
 template <class Real>
-LatticeOutcome<Real> lattice_collision(const Lattice<Real>& lattice, const LatticeOptions& options) {
+LatticeOutcome<Real> lattice_collision(const Lattice<Real>& lattice, double accuracy, const RunLimits& limits) {
   NullObserver nobody;
-  return LatticeEvents<Real>(lattice, options).run(nobody);
+  return LatticeEvents<Real>(lattice, accuracy, limits).run(nobody);
 }
-template LatticeOutcome<double> lattice_collision(const Lattice<double>&, const LatticeOptions&);
-template LatticeOutcome<long double> lattice_collision(const Lattice<long double>&, const LatticeOptions&);
+template LatticeOutcome<double> lattice_collision(const Lattice<double>&, double, const RunLimits&);
+template LatticeOutcome<long double> lattice_collision(const Lattice<long double>&, double, const RunLimits&);
 
 void observe_lattice(const Lattice<double>& lattice, LatticeSamples& samples) {
-  LatticeEvents<double>(lattice, {}).run(samples);
+  LatticeEvents<double>(lattice, 1e-12, {}).run(samples);
 }
 
 template <class Watcher>
-LatticeOutcome<double> follow_lattice(const Lattice<double>& lattice, const Plate& plate, const LatticeOptions& options,
-                                      Watcher& watcher) {
-  return LatticeEvents<double, Plate>(lattice, options, plate).follow(watcher);
+LatticeOutcome<double> follow_lattice(const Lattice<double>& lattice, const Plate& plate, double accuracy,
+                                      const RunLimits& limits, Watcher& watcher) {
+  return LatticeEvents<double, Plate>(lattice, accuracy, limits, plate).follow(watcher);
 }
-template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, const LatticeOptions&,
+template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, double, const RunLimits&,
                                                LatticeStatistics&);
-template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, const LatticeOptions&,
+template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, double, const RunLimits&,
                                                VibratedLatticeSamples&);
 
 }  // namespace sigmasweep

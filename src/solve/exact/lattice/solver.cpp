@@ -1,5 +1,5 @@
 #include "solve/cost_model.hpp"
-#include "solve/exact/lattice/run.hpp"
+#include "solve/exact/lattice/collision.hpp"
 #include "solve/exact/lattice/vibrated.hpp"
 #include "solve/observer/film_duration.hpp"
 #include "solve/observer/record_lattice.hpp"

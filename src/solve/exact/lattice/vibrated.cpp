@@ -9,27 +9,32 @@
 namespace sigmasweep {
 namespace {
 
-LatticeOptions options_for(const Parameters& p, const Plate& plate, double periods, ComputeBudget* budget) {
+/// Limits of a run from event to event.
+RunLimits limits_for(const Parameters& p, double periods, ComputeBudget* budget) {
   constexpr double most = 1e19;
   const auto N = static_cast<double>(p.N);
-  return {.accuracy = 1e-10 * plate.A0 * plate.omega,  // of the plate's speed, not of v0
-          .event_limit = static_cast<std::uint64_t>(std::min(periods * 1e5 * N, most)),
+  return {.event_limit = static_cast<std::uint64_t>(std::min(periods * 1e5 * N, most)),
           .work_limit = static_cast<std::uint64_t>(std::min(periods * (1e9 + 1e7 * N), most)),
           .budget = budget};
 }
 
+/// In units of the plate's speed, not of v0.
+double accuracy_on(const Plate& plate) { return 1e-10 * plate.A0 * plate.omega; }
+
 }  // namespace
 
 SimulationResult simulate_lattice_on_plate(const Parameters& p, ComputeBudget* budget) {
-  return run_lattice_on_plate(p, [&](const Lattice<double>& lattice, const Plate& plate,
-                                     LatticeStatistics& statistics) {
-    return follow_lattice(lattice, plate, options_for(p, plate, static_cast<double>(p.periods), budget), statistics);
-  });
+  return run_lattice_on_plate(
+      p, [&](const Lattice<double>& lattice, const Plate& plate, LatticeStatistics& statistics) {
+        return follow_lattice(lattice, plate, accuracy_on(plate), limits_for(p, static_cast<double>(p.periods), budget),
+                              statistics);
+      });
 }
 
 void observe_lattice_on_plate(const Parameters& p, VibratedLatticeSamples& samples) {
   const Plate plate = Plate::of(p, vibration_units(p));
-  follow_lattice(reduced_lattice<double>(p), plate, options_for(p, plate, max_recorded_periods, nullptr), samples);
+  follow_lattice(reduced_lattice<double>(p), plate, accuracy_on(plate), limits_for(p, max_recorded_periods, nullptr),
+                 samples);
 }
 
 }  // namespace sigmasweep

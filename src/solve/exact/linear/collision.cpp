@@ -12,31 +12,30 @@
 namespace sigmasweep {
 
 template <class Real>
-Outcome<Real> exact_collision(const Column<Real>& column, const ExactOptions& options) {
+Outcome<Real> exact_collision(const Column<Real>& column, const RunLimits& limits) {
   if (!column.exponents.linear()) throw std::invalid_argument("exact_collision: not the linear law");
-  if (column.is_uniform()) return ExactColumn<Real, 0, false>(column, options).run();
-  return ExactColumn<Real, 0, true>(column, options).run();
+  if (column.is_uniform()) return ExactColumn<Real, 0, false>(column, limits).run();
+  return ExactColumn<Real, 0, true>(column, limits).run();
 }
 
 template <class Real>
-Outcome<Real> exact_collision_from(const Column<Real>& column, std::span<const Real> rates,
-                                   const ExactOptions& options) {
+Outcome<Real> exact_collision_from(const Column<Real>& column, std::span<const Real> rates, const RunLimits& limits) {
   if (!column.exponents.linear()) throw std::invalid_argument("exact_collision_from: not the linear law");
   if (rates.size() != column.contacts()) throw std::invalid_argument("exact_collision_from: one rate a contact");
   const auto run = [&](auto exact) {
     exact.start_from(rates);
     return exact.run();
   };
-  return column.is_uniform() ? run(ExactColumn<Real, 0, false>(column, options))
-                             : run(ExactColumn<Real, 0, true>(column, options));
+  return column.is_uniform() ? run(ExactColumn<Real, 0, false>(column, limits))
+                             : run(ExactColumn<Real, 0, true>(column, limits));
 }
 
-template Outcome<double> exact_collision(const Column<double>&, const ExactOptions&);
-template Outcome<long double> exact_collision(const Column<long double>&, const ExactOptions&);
-template Outcome<Quad> exact_collision(const Column<Quad>&, const ExactOptions&);
-template Outcome<double> exact_collision_from(const Column<double>&, std::span<const double>, const ExactOptions&);
+template Outcome<double> exact_collision(const Column<double>&, const RunLimits&);
+template Outcome<long double> exact_collision(const Column<long double>&, const RunLimits&);
+template Outcome<Quad> exact_collision(const Column<Quad>&, const RunLimits&);
+template Outcome<double> exact_collision_from(const Column<double>&, std::span<const double>, const RunLimits&);
 template Outcome<long double> exact_collision_from(const Column<long double>&, std::span<const long double>,
-                                                   const ExactOptions&);
+                                                   const RunLimits&);
 
 namespace {
 
@@ -61,10 +60,10 @@ struct Effort {
 
 /// The collision computed in `Real`, its error bar included.
 template <class Real, bool Uneven, int Order>
-SimulationResult computed_from(const Column<Real>& column, const Parameters& p, const ExactOptions& options,
+SimulationResult computed_from(const Column<Real>& column, const Parameters& p, const RunLimits& limits,
                                Effort& effort) {
   using Exact = ExactColumn<Real, 1, Uneven, Order>;
-  Exact exact(column, options);
+  Exact exact(column, limits);
   const Outcome<Real> outcome = exact.run();
   effort = {exact.work(), static_cast<double>(exact.disturbance())};
   SimulationResult c = to_si_result<Real>(outcome, p, column.mass);
@@ -79,10 +78,10 @@ SimulationResult computed_from(const Column<Real>& column, const Parameters& p, 
 }
 
 template <class Real, int Order = TaylorOrder<Real>::value>
-SimulationResult computed_in(const Parameters& p, const ExactOptions& options, Effort& effort) {
+SimulationResult computed_in(const Parameters& p, const RunLimits& limits, Effort& effort) {
   const Column<Real> column = reduced_column<Real>(p);
-  if (column.is_uniform()) return computed_from<Real, false, Order>(column, p, options, effort);
-  return computed_from<Real, true, Order>(column, p, options, effort);
+  if (column.is_uniform()) return computed_from<Real, false, Order>(column, p, limits, effort);
+  return computed_from<Real, true, Order>(column, p, limits, effort);
 }
 
 /// How many times finer than double's a type's roundings are.
@@ -95,7 +94,7 @@ double gain() {
 /// digit, or the fourteenth for tolerances that need it. In a long tail of contacts that carry next to no energy a
 /// linearised disturbance grows without end, and says nothing; the twins go their own way there, too, but end where the
 /// energy lets them.
-double spread(const Parameters& p, const ExactOptions& options, double eps_eff) {
+double spread(const Parameters& p, const RunLimits& limits, double eps_eff) {
   double largest = 0.0;
   const double little = std::clamp(0.1 * p.tolerance, 1e-14, 1e-13);
   for (const double change : {-little, little}) {
@@ -105,29 +104,29 @@ double spread(const Parameters& p, const ExactOptions& options, double eps_eff) 
     twin.C_wall *= 1.0 + change;
     for (double& gap : twin.gaps) gap *= 1.0 - change;
     for (std::size_t i = 0; i < twin.mass.size(); ++i) twin.mass[i] *= 1.0 + (i % 2 == 0 ? change : -change);
-    const Outcome<double> outcome = exact_collision(twin, options);
+    const Outcome<double> outcome = exact_collision(twin, limits);
     if (outcome.status != Status::ok) return 1.0;
     largest = std::max(largest, std::abs(energies<double>(outcome.velocity, 1.0, twin.mass).eps_eff - eps_eff));
   }
-  return safety * largest + options.settle;
+  return safety * largest + limits.settle;
 }
 
 }  // namespace
 
 SimulationResult simulate_exact(const Parameters& p, ComputeBudget* budget) {
-  ExactOptions options;
-  options.budget = budget;
-  options.settle = 1e-3 * p.tolerance;
+  RunLimits limits;
+  limits.budget = budget;
+  limits.settle = 1e-3 * p.tolerance;
   Effort effort;
   if (p.tolerance >= loose) {
-    const SimulationResult quick = computed_in<double, low_order>(p, options, effort);
+    const SimulationResult quick = computed_in<double, low_order>(p, limits, effort);
     if (quick.status == Status::ok && quick.eps_eff_error <= p.tolerance) return quick;
   }
-  SimulationResult c = computed_in<double>(p, options, effort);
+  SimulationResult c = computed_in<double>(p, limits, effort);
   if (c.status != Status::ok || c.eps_eff_error <= p.tolerance) return c;
 
   const double wanted = safety * effort.disturbance / p.tolerance;
-  c.eps_eff_error = std::min(c.eps_eff_error, spread(p, options, c.eps_eff));
+  c.eps_eff_error = std::min(c.eps_eff_error, spread(p, limits, c.eps_eff));
   if (c.eps_eff_error <= p.tolerance) return c;
 
   const auto keep_better = [&](const SimulationResult& wide) {
@@ -135,22 +134,20 @@ SimulationResult simulate_exact(const Parameters& p, ComputeBudget* budget) {
     return c.eps_eff_error <= p.tolerance;
   };
   if (wanted < gain<long double>() && effort.work <= long_double_limit &&
-      keep_better(computed_in<long double>(p, options, effort)))
+      keep_better(computed_in<long double>(p, limits, effort)))
     return c;
-  if (wanted < gain<Quad>() && effort.work <= quad_limit && keep_better(computed_in<Quad>(p, options, effort)))
-    return c;
+  if (wanted < gain<Quad>() && effort.work <= quad_limit && keep_better(computed_in<Quad>(p, limits, effort))) return c;
   c.eps_eff_error = std::min(1.0, c.eps_eff_error);
   c.status = Status::tolerance_missed;
   return c;
 }
 
 void observe_exact(const Column<double>& column, Samples& samples) {
-  ExactOptions options;
-  options.settle = 0.0;  // to the last sample
+  const RunLimits limits{.settle = 0.0};  // to the last sample
   if (column.is_uniform())
-    ExactColumn<double, 0, false>(column, options).run(samples);
+    ExactColumn<double, 0, false>(column, limits).run(samples);
   else
-    ExactColumn<double, 0, true>(column, options).run(samples);
+    ExactColumn<double, 0, true>(column, limits).run(samples);
 }
 
 }  // namespace sigmasweep

@@ -7,6 +7,8 @@
 #include "sigmasweep/base/budget.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/model/result.hpp"
+#include "solve/outcome.hpp"
+#include "solve/run_limits.hpp"
 
 /// The default integrator of the linear law: between two contact events the column is a linear system with constant
 /// coefficients, so it is propagated to rounding error, and the events are found on the solution's own polynomial.
@@ -14,23 +16,18 @@ namespace sigmasweep {
 
 class Samples;
 
-struct ExactOptions {
-  double settle = 1e-13;          ///< stop once later collisions can change eps_eff by less than this; 0: never
-  std::uint64_t event_limit = 0;  ///< contacts before giving up (and 8 times as many steps); 0: 100,000 + 20 N^2
-  std::uint64_t work_limit = 100'000'000;  ///< contacts propagated, summed over the steps, before giving up: minutes
-  ComputeBudget* budget = nullptr;         ///< asked now and then; Status::time_limit where it is over
-};
-
 /// One collision. Real is double, long double or Quad; the result is good to a few roundings of Real times the
-/// condition of the problem. End::settled or separated with Status::ok, or Status::event_limit, non_finite.
+/// condition of the problem. End::settled or separated with Status::ok, or Status::event_limit, non_finite. Limits of
+/// its own: 100,000 + 20 N^2 contacts, and always 8 times as many steps as contacts; 1e8 contacts propagated, summed
+/// over the steps, which are minutes.
 template <class Real>
-Outcome<Real> exact_collision(const Column<Real>& column, const ExactOptions& options = {});
+Outcome<Real> exact_collision(const Column<Real>& column, const RunLimits& limits = {});
 
 /// The same from any start with all contacts open: gaps as in `column`, that to the wall included, and the speeds at
 /// which they close (< 0: open), contact by contact; column.speed is only the unit. Time 0 is the start.
 template <class Real>
 Outcome<Real> exact_collision_from(const Column<Real>& column, std::span<const Real> rates,
-                                   const ExactOptions& options = {});
+                                   const RunLimits& limits = {});
 
 /// The tuple's collision with an error bar, by the cheapest way that keeps the tolerance. A linearised disturbance, fed
 /// with the rounding errors of every step, runs beside the column; its size at the end, and what is left to dissipate,

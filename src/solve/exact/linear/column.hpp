@@ -17,6 +17,7 @@
 #include "solve/exact/linear/step_lengths.hpp"
 #include "solve/exact/linear/taylor_group.hpp"
 #include "solve/observer/samples.hpp"
+#include "solve/stop_logic.hpp"
 
 namespace sigmasweep {
 
@@ -63,7 +64,7 @@ class ExactColumn
                            ExactGroup<Real, TaylorGroup<Real, 1 + Disturbances, Uneven, Order, Ground::moves>>,
                            1 + Disturbances, Ground> {
  public:
-  ExactColumn(const Column<Real>& column, const ExactOptions& options, const Ground& ground = {});
+  ExactColumn(const Column<Real>& column, const RunLimits& limits, const Ground& ground = {});
   /// Before run(): all contacts open, gaps as in the column (the wall's, too), and these closing speeds. Time 0 is now.
   void start_from(std::span<const Real> rates);
   Outcome<Real> run();
@@ -131,13 +132,14 @@ class ExactColumn
   void state_at(const Real& t, std::span<Real> x, std::span<Real> u) const;
 
   Column<Real> column_;
-  ExactOptions options_;
+  StopLogic stop_;
+  SettleSchedule settle_schedule_;
   [[no_unique_address]] OnGround<Ground> on_ground_;
   ContactLaws<Real, Uneven> laws_;
   StepLengths<Real, Uneven> steps_;
   Noise noise_;
   std::size_t closed_count_ = 0;
-  std::uint64_t checked_at_ = 0, checked_step_ = 0, work_ = 0;
+  std::uint64_t work_ = 0;
   std::vector<Balance> balances_;  ///< those that could give the smallest error
 };
 

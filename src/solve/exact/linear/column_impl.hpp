@@ -10,10 +10,15 @@
 namespace sigmasweep {
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-ExactColumn<Real, Disturbances, Uneven, Order, Ground>::ExactColumn(const Column<Real>& column,
-                                                                    const ExactOptions& options, const Ground& ground)
-    : Events(column.contacts(), ground), column_(column), options_(options), laws_(column), steps_(column) {
-  if (options_.event_limit == 0) options_.event_limit = 100'000 + 20 * N_ * N_;
+ExactColumn<Real, Disturbances, Uneven, Order, Ground>::ExactColumn(const Column<Real>& column, const RunLimits& limits,
+                                                                    const Ground& ground)
+    : Events(column.contacts(), ground),
+      column_(column),
+      stop_(limits, 100'000 + 20 * column.contacts() * column.contacts(), 100'000'000),
+      settle_schedule_(column.contacts(), 1000),
+      laws_(column),
+      steps_(column) {
+  settle_schedule_.note_look(0, 0);
   for (std::size_t k = 1; k < N_; ++k) x_[k] = -column.initial_gap(k);  // the wall's only shifts the clock
   if constexpr (Ground::moves) {                                        // at rest relative to the plate
     x_[0] = -column.initial_gap(0);
@@ -56,7 +61,7 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run(Watche
   Outcome<Real> outcome;
   this->regroup({0, N_ - 1}, Real(0));
 
-  const std::uint64_t step_limit = 8 * options_.event_limit;
+  const std::uint64_t step_limit = 8 * stop_.event_limit();
   for (std::uint64_t step = 0;; ++step) {
     Real t = events_.time_of(events_.first());
     if constexpr (Watcher::observes) {
@@ -67,14 +72,10 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run(Watche
       outcome.end = End::separated;
       break;
     }
-    if (contacts_ >= options_.event_limit || step >= step_limit || work_ >= options_.work_limit || !(t >= 0)) {
-      outcome.status = t >= 0 ? Status::event_limit : Status::non_finite;
-      break;
-    }
-    if (options_.budget && options_.budget->is_over(1 + closed_count_)) {
-      outcome.status = Status::time_limit;
-      break;
-    }
+    outcome.status = !(t >= 0)            ? Status::non_finite
+                     : step >= step_limit ? Status::event_limit
+                                          : stop_.why_stop(contacts_, work_, 1 + closed_count_);
+    if (outcome.status != Status::ok) break;
     if (t > longest_clock && this->nothing_touches()) {
       this->begin_anew(t);
       t = Real(0);
@@ -266,12 +267,10 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_taylor(Group&
 /// Looked at now and then: after some contacts, or after many steps in which overdamped contacts creep.
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::settled(std::uint64_t step) {
-  if (contacts_ < checked_at_ + std::max<std::size_t>(5, N_ / 8) && step < checked_step_ + 1000) return false;
-  checked_at_ = contacts_;
-  checked_step_ = step;
+  if (!settle_schedule_.is_due(contacts_, step)) return false;
   const Balance now = balance();
   if (Disturbances > 0 && (balances_.empty() || now.remaining < balances_.back().remaining)) balances_.push_back(now);
-  return now.remaining < Real(options_.settle);
+  return now.remaining < Real(stop_.settle());
 }
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>

@@ -18,9 +18,7 @@ constexpr std::size_t max_beads = 100, max_uneven_beads = 32;
 
 template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
 Status ExactColumn<Real, Disturbances, Uneven, Order, Ground>::why_stop() requires(Ground::moves) {
-  if (contacts_ >= options_.event_limit || work_ >= options_.work_limit) return Status::event_limit;
-  if (options_.budget && options_.budget->is_over(1 + closed_count_)) return Status::time_limit;
-  return Status::ok;
+  return stop_.why_stop(contacts_, work_, 1 + closed_count_);
 }
 
 /// load(start + s h) = g - A0 omega^2 sin(omega start + omega h s) as a series in s, for a group that has the lowest

@@ -11,11 +11,10 @@ namespace {
 template <class Watcher>
 Outcome<double> follow(const Parameters& p, const Column<double>& column, const Plate& plate, double periods,
                        Watcher& watcher, ComputeBudget* budget) {
-  const PlateLimits limits = plate_limits(p, periods);
-  const ExactOptions options{.event_limit = limits.events, .work_limit = limits.work, .budget = budget};
+  const RunLimits limits = plate_limits(p, periods, budget);
   constexpr int order = TaylorOrder<double>::value;
-  if (column.is_uniform()) return ExactColumn<double, 0, false, order, Plate>(column, options, plate).follow(watcher);
-  return ExactColumn<double, 0, true, order, Plate>(column, options, plate).follow(watcher);
+  if (column.is_uniform()) return ExactColumn<double, 0, false, order, Plate>(column, limits, plate).follow(watcher);
+  return ExactColumn<double, 0, true, order, Plate>(column, limits, plate).follow(watcher);
 }
 
 }  // namespace

@@ -11,11 +11,11 @@
 namespace sigmasweep {
 
 template <class Real>
-Outcome<Real> nonlinear_collision(const Column<Real>& column, const NonlinearOptions& options) {
-  return NonlinearColumn<Real>(column, options).run();
+Outcome<Real> nonlinear_collision(const Column<Real>& column, double accuracy, const RunLimits& limits) {
+  return NonlinearColumn<Real>(column, accuracy, limits).run();
 }
-template Outcome<double> nonlinear_collision(const Column<double>&, const NonlinearOptions&);
-template Outcome<long double> nonlinear_collision(const Column<long double>&, const NonlinearOptions&);
+template Outcome<double> nonlinear_collision(const Column<double>&, double, const RunLimits&);
+template Outcome<long double> nonlinear_collision(const Column<long double>&, double, const RunLimits&);
 
 namespace {
 
@@ -27,40 +27,30 @@ double eps_eff(const Column<Real>& column, const Outcome<Real>& outcome) {
 /// Of a wide type: the work (contacts in trial steps) of about a second.
 constexpr std::uint64_t long_double_limit = 150'000;
 
-/// The collision with local errors of `accuracy`, its error from a second run with ten times as much.
-template <class Real>
-SimulationResult pair_of_runs(const Parameters& p, const NonlinearOptions& options) {
-  const Column<Real> column = reduced_column<Real>(p);
-  NonlinearOptions coarse = options;
-  coarse.accuracy *= 10.0;
-  const Outcome<Real> outcome = nonlinear_collision(column, options);
-  SimulationResult c = to_si_result(outcome, p, std::span<const Real>(column.mass));
-  if (c.status != Status::ok) return c;
-  const Outcome<Real> other = nonlinear_collision(column, coarse);
-  const double difference =
-      other.status == Status::ok ? std::fabs(eps_eff(column, other) - eps_eff(column, outcome)) : 1.0;
-  const double settled = outcome.end == End::settled ? options.settle : 0.0;
-  c.eps_eff_error = twin_error(c, difference, options.accuracy, settled);
-  return c;
-}
-
 }  // namespace
 
 SimulationResult simulate_nonlinear(const Parameters& p, ComputeBudget* budget) {
-  return to_tolerance(p.tolerance, [&]<class Real>(double accuracy) {
-    NonlinearOptions options;
-    options.budget = budget;
-    options.settle = 1e-3 * p.tolerance;
-    options.accuracy = accuracy;
-    if (!std::is_same_v<Real, double>) options.work_limit = long_double_limit;
-    return pair_of_runs<Real>(p, options);
+  return refine_until(p.tolerance, [&]<class Real>(double local_error) {
+    RunLimits limits{.settle = 1e-3 * p.tolerance, .budget = budget};
+    if (!std::is_same_v<Real, double>) limits.work_limit = long_double_limit;
+    const Column<Real> column = reduced_column<Real>(p);
+    const auto solve = [&](double accuracy) { return nonlinear_collision(column, accuracy, limits); };
+    const auto to_result = [&](const Outcome<Real>& outcome) {
+      return to_si_result(outcome, p, std::span<const Real>(column.mass));
+    };
+    const auto difference = [&](const Outcome<Real>& outcome, const Outcome<Real>& other) {
+      return std::fabs(eps_eff(column, other) - eps_eff(column, outcome));
+    };
+    const auto error = [&](const SimulationResult& c, const Outcome<Real>& outcome, const Outcome<Real>&,
+                           double apart) {
+      return twin_error(c, apart, local_error, outcome.end == End::settled ? limits.settle : 0.0);
+    };
+    return run_with_error_bar(local_error, solve, to_result, difference, error);
   });
 }
 
 void observe_nonlinear(const Column<double>& column, Samples& samples) {
-  NonlinearOptions options;
-  options.settle = 0.0;  // to the last sample
-  NonlinearColumn<double>(column, options).run(samples);
+  NonlinearColumn<double>(column, 1e-12, {.settle = 0.0}).run(samples);  // to the last sample
 }
 
 }  // namespace sigmasweep

@@ -6,26 +6,22 @@
 #include "sigmasweep/base/budget.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/model/result.hpp"
+#include "solve/outcome.hpp"
+#include "solve/run_limits.hpp"
 
 /// The default integrator of laws F = K x^(1+beta) + C x^gamma x' that are not linear: from contact event to contact
-/// event with the Runge-Kutta scheme DOP853 of order 8 (scene/dormand_prince.hpp). Where a contact has just closed, or
-/// is about to open, the force is not smooth in time but in s = x^(1/q), and s is the independent variable.
+/// event with the Runge-Kutta scheme DOP853 of order 8 (numerics/dormand_prince.hpp). Where a contact has just closed,
+/// or is about to open, the force is not smooth in time but in s = x^(1/q), and s is the independent variable.
 namespace sigmasweep {
 
 class Samples;
 
-struct NonlinearOptions {
-  double accuracy = 1e-12;                ///< local error of a step, in units of the speed and of speed times tc
-  double settle = 1e-13;                  ///< stop once later collisions can change eps_eff by less than this; 0: never
-  std::uint64_t event_limit = 0;          ///< contacts before giving up; 0: 100,000 + 20 N^2
-  std::uint64_t work_limit = 50'000'000;  ///< contacts propagated, summed over all trial steps, before giving up
-  ComputeBudget* budget = nullptr;        ///< asked now and then; Status::time_limit where it is over
-};
-
-/// One collision of a column in reduced units (speed and tc are 1). Real is double or long double.
-/// End::settled or separated with Status::ok; Status::event_limit, non_finite.
+/// One collision of a column in reduced units (speed and tc are 1). `accuracy`: local error of a step, in units of the
+/// speed and of speed times tc. Real is double or long double. End::settled or separated with Status::ok;
+/// Status::event_limit, non_finite. Limits of its own: 100,000 + 20 N^2 contacts; 5e7 contacts propagated, summed over
+/// all trial steps.
 template <class Real>
-Outcome<Real> nonlinear_collision(const Column<Real>& column, const NonlinearOptions& options = {});
+Outcome<Real> nonlinear_collision(const Column<Real>& column, double accuracy = 1e-12, const RunLimits& limits = {});
 
 /// The tuple's collision with an error bar: the difference between two runs, one with local errors ten times those of
 /// the other, and what is left to dissipate. Where that is above the tolerance finer pairs of runs follow, in long

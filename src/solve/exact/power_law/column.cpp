@@ -7,13 +7,14 @@
 namespace sigmasweep {
 
 template <class Real, class Ground>
-NonlinearColumn<Real, Ground>::NonlinearColumn(const Column<Real>& column, const NonlinearOptions& options,
+NonlinearColumn<Real, Ground>::NonlinearColumn(const Column<Real>& column, double accuracy, const RunLimits& limits,
                                                const Ground& ground)
     : Events(column.contacts(), ground),
       column_(column),
-      options_(options),
-      closing_overlap_(PowerLawGroup<Real>::closing_overlap(Real(options.accuracy))) {
-  if (options_.event_limit == 0) options_.event_limit = 100'000 + 20 * N_ * N_;
+      accuracy_(accuracy),
+      stop_(limits, 100'000 + 20 * column.contacts() * column.contacts(), 50'000'000),
+      settle_schedule_(column.contacts(), 100 + 10 * column.contacts()),
+      closing_overlap_(PowerLawGroup<Real>::closing_overlap(Real(accuracy))) {
   for (std::size_t k = 0; k < N_; ++k) x_[k] = -column.initial_gap(k);
   if constexpr (!Ground::moves) u_[0] = column.speed;
 }
@@ -36,12 +37,8 @@ Outcome<Real> NonlinearColumn<Real, Ground>::run(Watcher& watcher) {
     }
     if (t == std::numeric_limits<Real>::infinity()) {
       outcome.end = End::separated;
-    } else if (lost_ || !(t >= 0)) {
-      outcome.status = Status::non_finite;
-    } else if (contacts_ >= options_.event_limit || work_ >= options_.work_limit) {
-      outcome.status = Status::event_limit;
-    } else if (options_.budget && options_.budget->is_over(N_)) {
-      outcome.status = Status::time_limit;
+    } else if (outcome.status = t >= 0 ? why_stop() : Status::non_finite; outcome.status != Status::ok) {
+      break;
     } else if (is_settled()) {
       outcome.end = End::settled;
     } else {
@@ -115,16 +112,14 @@ void NonlinearColumn<Real, Ground>::move_group(Group& group, const Real& elapsed
 template <class Real, class Ground>
 void NonlinearColumn<Real, Ground>::step_group(Group& group) {
   const std::uint64_t before = group.contacts.work();
-  if (!group.contacts.step(group.start)) lost_ = true;
+  if (!group.contacts.step(group.start)) step_underflow_ = true;
   work_ += group.contacts.work() - before;
 }
 
 template <class Real, class Ground>
 bool NonlinearColumn<Real, Ground>::is_settled() {
-  if (contacts_ < next_check_ && steps_ < next_check_step_) return false;
-  next_check_ = contacts_ + std::max<std::size_t>(5, N_ / 8);
-  next_check_step_ = steps_ + 100 + 10 * N_;
-  return EnergyBalance<Real>(column_, closed_, x_, velocities()).remaining() < Real(options_.settle);
+  if (!settle_schedule_.is_due(contacts_, steps_)) return false;
+  return EnergyBalance<Real>(column_, closed_, x_, velocities()).remaining() < Real(stop_.settle());
 }
 
 template <class Real, class Ground>
@@ -135,11 +130,8 @@ PlateWork NonlinearColumn<Real, Ground>::work_of(Group& group, const Real& elaps
 }
 
 template <class Real, class Ground>
-Status NonlinearColumn<Real, Ground>::why_stop() requires(Ground::moves) {
-  if (lost_) return Status::non_finite;
-  if (contacts_ >= options_.event_limit || work_ >= options_.work_limit) return Status::event_limit;
-  if (options_.budget && options_.budget->is_over(N_)) return Status::time_limit;
-  return Status::ok;
+Status NonlinearColumn<Real, Ground>::why_stop() {
+  return step_underflow_ ? Status::non_finite : stop_.why_stop(contacts_, work_, N_);
 }
 
 template class NonlinearColumn<double>;

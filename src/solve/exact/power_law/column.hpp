@@ -13,6 +13,7 @@
 #include "solve/exact/power_law/collision.hpp"
 #include "solve/exact/power_law/group.hpp"
 #include "solve/observer/samples.hpp"
+#include "solve/stop_logic.hpp"
 
 namespace sigmasweep {
 
@@ -32,7 +33,7 @@ template <class Real, class Ground = FixedWall>
 class NonlinearColumn
     : private GroundEvents<NonlinearColumn<Real, Ground>, Real, NonlinearGroup<Real, Ground>, 1, Ground> {
  public:
-  NonlinearColumn(const Column<Real>& column, const NonlinearOptions& options, const Ground& ground = {});
+  NonlinearColumn(const Column<Real>& column, double accuracy, const RunLimits& limits, const Ground& ground = {});
   Outcome<Real> run();
   /// The same, seen by a watcher (samples.hpp), and over with its last sample. Samples: double.
   template <class Watcher>
@@ -52,7 +53,7 @@ class NonlinearColumn
   using Events::N_, Events::x_, Events::u_, Events::at_, Events::closed_, Events::group_of_, Events::epoch_,
       Events::events_, Events::contacts_, Events::wall_opened_, Events::x_max_, Events::ground_, Events::velocities;
 
-  std::unique_ptr<Group> new_group() { return std::make_unique<Group>(column_, Real(options_.accuracy), ground_); }
+  std::unique_ptr<Group> new_group() { return std::make_unique<Group>(column_, Real(accuracy_), ground_); }
   void start_group(Group& group) { group.contacts.start(group.lo, group.hi, closed_, x_, u_); }
   void step_group(Group& group);
   static const Real& length_of(const Group& group) { return group.contacts.length(); }
@@ -60,17 +61,19 @@ class NonlinearColumn
   Real closes_in(std::size_t k) const { return this->closes_at(k, closing_overlap_); }
   void fly(std::size_t k, const Real& t);
   PlateWork work_of(Group& group, const Real& elapsed) requires(Ground::moves);
-  Status why_stop() requires(Ground::moves);
+  Status why_stop();
   void change_contact(std::size_t k, const Real& t);
   void move_group(Group& group, const Real& elapsed, bool whole_step);
   bool is_settled();
   void state_at(const Real& t, std::span<Real> x, std::span<Real> u);
 
   const Column<Real> column_;
-  NonlinearOptions options_;
+  double accuracy_;
+  StopLogic stop_;
+  SettleSchedule settle_schedule_;
   Real closing_overlap_;
-  std::uint64_t steps_ = 0, next_check_ = 0, next_check_step_ = 0, work_ = 0;
-  bool lost_ = false;  ///< a step that no length makes good
+  std::uint64_t steps_ = 0, work_ = 0;
+  bool step_underflow_ = false;  ///< no step length was short enough
 };
 
 }  // namespace sigmasweep

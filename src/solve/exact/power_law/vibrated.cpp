@@ -11,13 +11,9 @@ namespace {
 template <class Watcher>
 Outcome<double> follow(const Parameters& p, const Column<double>& column, const Plate& plate, double periods,
                        Watcher& watcher, ComputeBudget* budget) {
-  const PlateLimits limits = plate_limits(p, periods);
-  const NonlinearOptions options{
-      .accuracy = 1e-12 * plate.A0 * plate.omega,  // in units of the plate's speed, not of v0
-      .event_limit = limits.events,
-      .work_limit = limits.work,
-      .budget = budget};
-  return NonlinearColumn<double, Plate>(column, options, plate).follow(watcher);
+  const RunLimits limits = plate_limits(p, periods, budget);
+  const double accuracy = 1e-12 * plate.A0 * plate.omega;  // in units of the plate's speed, not of v0
+  return NonlinearColumn<double, Plate>(column, accuracy, limits, plate).follow(watcher);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "assembly/column.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "solve/fixed_step/step_options.hpp"
+#include "solve/outcome.hpp"
 #include "solve/run_limits.hpp"
 
 namespace sigmasweep {

@@ -3,6 +3,7 @@
 #include "assembly/column.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "solve/observer/samples.hpp"
+#include "solve/outcome.hpp"
 
 namespace sigmasweep {
 

@@ -8,6 +8,7 @@
 #include "solve/fixed_step/between_steps.hpp"
 #include "solve/fixed_step/column/chain.hpp"
 #include "solve/fixed_step/driver.hpp"
+#include "solve/outcome.hpp"
 
 namespace sigmasweep {
 

@@ -6,6 +6,7 @@
 #include "sigmasweep/model/parameters.hpp"
 #include "solve/observer/samples.hpp"
 #include "solve/observer/vibration_statistics.hpp"
+#include "solve/outcome.hpp"
 
 namespace sigmasweep {
 

@@ -2,6 +2,7 @@
 
 #include "assembly/lattice.hpp"
 #include "solve/fixed_step/step_options.hpp"
+#include "solve/outcome.hpp"
 #include "solve/run_limits.hpp"
 
 namespace sigmasweep {

@@ -3,6 +3,7 @@
 #include "assembly/lattice.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "solve/observer/lattice_samples.hpp"
+#include "solve/outcome.hpp"
 
 namespace sigmasweep {
 

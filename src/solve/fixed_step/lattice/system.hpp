@@ -12,6 +12,7 @@
 #include "solve/fixed_step/driver.hpp"
 #include "solve/fixed_step/lattice/contacts.hpp"
 #include "solve/fixed_step/lattice/motion.hpp"
+#include "solve/outcome.hpp"
 
 namespace sigmasweep {
 

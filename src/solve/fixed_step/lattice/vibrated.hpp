@@ -6,6 +6,7 @@
 #include "sigmasweep/model/parameters.hpp"
 #include "solve/observer/lattice_samples.hpp"
 #include "solve/observer/lattice_statistics.hpp"
+#include "solve/outcome.hpp"
 
 namespace sigmasweep {
 

@@ -1,3 +1,4 @@
+#include "solve/exact/lattice/collision.hpp"
 #include "assembly/lattice.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ Parameters rubbing(Parameters p, double D_t_over_D_n) {
 
 double eps_eff(const Parameters& p, double accuracy = 1e-12) {
   const auto lattice = reduced_lattice<double>(p);
-  const auto outcome = lattice_collision(lattice, {.accuracy = accuracy});
+  const auto outcome = lattice_collision(lattice, accuracy);
   EXPECT_EQ(outcome.status, Status::ok);
   return energies(lattice, outcome.velocity).eps_eff;
 }
@@ -97,7 +98,7 @@ TEST_P(ShiftedLattice, ReboundsAsTheOtherProgramSays) {
   const Shifted& r = GetParam();
   auto lattice = reduced_lattice<double>(parameters(10, 13, 0.9, r.sigma));
   shift_at_random(lattice, r.seed);
-  const auto outcome = lattice_collision(lattice, {.accuracy = 1e-10});
+  const auto outcome = lattice_collision(lattice, 1e-10);
   EXPECT_EQ(outcome.end, End::quiet);
   EXPECT_NEAR(energies(lattice, outcome.velocity).eps_eff, r.eps_eff, 2e-5);  // its uncertainty
 }
@@ -114,7 +115,7 @@ TEST(Lattice, KeepsItsMomentum) {
         auto lattice = reduced_lattice<double>(parameters(rows, 13, 0.9, sigma));
         shift_at_random(lattice, 3);
         double sideways = 0.0;
-        for (const Vec2<double>& v : lattice_collision(lattice, {.accuracy = accuracy}).velocity) sideways += v.x;
+        for (const Vec2<double>& v : lattice_collision(lattice, accuracy).velocity) sideways += v.x;
         EXPECT_NEAR(sideways, 0.0, rows == 3 ? 1e-14 : accuracy) << sigma << " " << rows;
       }
 }
@@ -226,12 +227,12 @@ TEST(Lattice, KnowsItsOverlapsAndContactTimes) {
     auto lattice = reduced_lattice<double>(parameters(10, 13, 0.9, sigma));
     shift_at_random(lattice, 1);
     const auto steps = fixed_step_lattice_collision(lattice, Integrator::rk4, 1.0 / 400.0);
-    EXPECT_NEAR(lattice_collision(lattice, {.accuracy = 1e-9}).x_max, steps.x_max, 1e-3 * steps.x_max) << sigma;
+    EXPECT_NEAR(lattice_collision(lattice, 1e-9).x_max, steps.x_max, 1e-3 * steps.x_max) << sigma;
   }
   const auto row = reduced_lattice<double>(parameters(1, 5, 0.9, 1.0));
   const double L = -std::log(0.9), pi = std::numbers::pi,
                t_wall = pi * std::sqrt(2.0) / std::sqrt(pi * pi + L * L / 2.0);
-  const auto outcome = lattice_collision(row, {.accuracy = 1e-12});
+  const auto outcome = lattice_collision(row, 1e-12);
   EXPECT_NEAR(outcome.t_k, t_wall, 1e-9);
   EXPECT_NEAR(outcome.contact_time, 5.0 * t_wall, 1e-8);
 }

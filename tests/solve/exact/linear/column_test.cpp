@@ -129,22 +129,22 @@ TEST(ExactColumn, TheLargestOverlapOfAColumn) {
 TEST(ExactColumn, RunsToTheEndOrStopsWhereNothingIsLeftToLose) {
   for (double sigma : {0.0, 0.1, 1.0, 10.0}) {
     const auto column = reduced_column<double>(tuple(20, 0.9, sigma));
-    ExactOptions options;
-    options.settle = 0.0;
-    const auto whole = exact_collision(column, options);
+    RunLimits limits;
+    limits.settle = 0.0;
+    const auto whole = exact_collision(column, limits);
     EXPECT_EQ(whole.end, End::separated);
     EXPECT_EQ(residual_dissipation<double>(whole.velocity, 1.0), 0.0);
-    options.settle = 1e-6;
-    const auto cut = exact_collision(column, options);
+    limits.settle = 1e-6;
+    const auto cut = exact_collision(column, limits);
     EXPECT_NEAR(energies<double>(cut.velocity, 1.0).eps_eff, energies<double>(whole.velocity, 1.0).eps_eff, 1e-6);
     EXPECT_LE(cut.contacts, whole.contacts);
   }
 }
 
 TEST(ExactColumn, GivesUpAtTheEventLimit) {
-  ExactOptions options;
-  options.event_limit = 20;
-  EXPECT_EQ(exact_collision(reduced_column<double>(tuple(10, 0.9, 10.0)), options).status, Status::event_limit);
+  RunLimits limits;
+  limits.event_limit = 20;
+  EXPECT_EQ(exact_collision(reduced_column<double>(tuple(10, 0.9, 10.0)), limits).status, Status::event_limit);
 }
 
 }  // namespace

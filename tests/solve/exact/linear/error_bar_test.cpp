@@ -17,10 +17,10 @@ using namespace sigmasweep;
 
 template <class Real>
 Real eps_eff_in(const Parameters& p) {
-  ExactOptions options;
-  options.settle = 1e-17;
+  RunLimits limits;
+  limits.settle = 1e-17;
   const Column<Real> column = reduced_column<Real>(p);
-  return energies<Real>(exact_collision(column, options).velocity, Real(1), column.mass).eps_eff;
+  return energies<Real>(exact_collision(column, limits).velocity, Real(1), column.mass).eps_eff;
 }
 
 double true_error(const Parameters& p, const SimulationResult& c) {

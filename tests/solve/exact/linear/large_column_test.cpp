@@ -33,9 +33,9 @@ TEST(LargeColumn, AThousandTouchingBeadsAreATupleLikeAnyOther) {
   EXPECT_LE(c.eps_eff_error, 1e-12);
   EXPECT_GE(c.contacts, 1000u);
   // 64 bits, to a stop a hundred times later.
-  ExactOptions options;
-  options.settle = 1e-15;
-  const auto wide = exact_collision(reduced_column<long double>(p), options);
+  RunLimits limits;
+  limits.settle = 1e-15;
+  const auto wide = exact_collision(reduced_column<long double>(p), limits);
   const long double expected = energies<long double>(wide.velocity, 1.0L).eps_eff;
   EXPECT_LE(std::abs(double(expected - static_cast<long double>(c.eps_eff))), c.eps_eff_error);
 }

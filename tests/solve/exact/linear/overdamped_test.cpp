@@ -27,10 +27,10 @@ Parameters tuple(std::int64_t N, double damping, double s0) {
 
 template <class Real>
 Real eps_eff_in(const Parameters& p) {
-  ExactOptions options;
-  options.settle = 1e-16;
+  RunLimits limits;
+  limits.settle = 1e-16;
   const auto column = reduced_column<Real>(p);
-  const auto outcome = exact_collision(column, options);
+  const auto outcome = exact_collision(column, limits);
   EXPECT_EQ(outcome.status, Status::ok);
   return energies<Real>(outcome.velocity, Real(1), column.mass).eps_eff;
 }

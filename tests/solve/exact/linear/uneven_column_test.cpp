@@ -134,14 +134,14 @@ TEST(UnevenColumn, TheErrorBarHolds) {
     const SimulationResult c = simulate(p);
     ASSERT_TRUE(c.status == Status::ok || c.status == Status::tolerance_missed) << i << " " << int(c.status);
     if (c.status != Status::ok) continue;  // says of itself that it is no result to 1e-10
-    ExactOptions options;
-    options.settle = 1e-17;
+    RunLimits limits;
+    limits.settle = 1e-17;
     const auto wide = reduced_column<long double>(p);
-    const auto outcome = exact_collision(wide, options);
+    const auto outcome = exact_collision(wide, limits);
     double error = double(std::abs(energies<long double>(outcome.velocity, 1.0L, wide.mass).eps_eff - c.eps_eff));
     if (error > c.eps_eff_error) {  // long double may be the one that is off
       const auto widest = reduced_column<Quad>(p);
-      const auto last = exact_collision(widest, options);
+      const auto last = exact_collision(widest, limits);
       error = double(abs(energies<Quad>(last.velocity, Quad(1), widest.mass).eps_eff - Quad(c.eps_eff)));
     }
     bars.see(error, c.eps_eff_error);

@@ -164,9 +164,7 @@ TEST(Nonlinear, TheLinearLawIsSolvedAsWell) {
     p.epsilon = 0.8;
     const auto column = reduced_column<double>(complete(p, GapParameter::sigma));
     const auto energy = [&](const Outcome<double>& o) { return energies<double>(o.velocity, 1.0).eps_eff; };
-    NonlinearOptions options;
-    options.accuracy = 1e-14;
-    EXPECT_NEAR(energy(nonlinear_collision(column, options)), energy(exact_collision(column)), 1e-12) << sigma;
+    EXPECT_NEAR(energy(nonlinear_collision(column, 1e-14)), energy(exact_collision(column)), 1e-12) << sigma;
   }
 }
 
@@ -200,11 +198,8 @@ TEST(Nonlinear, ErrorBarHoldsForRandomTuples) {
     const SimulationResult c = simulate(p);
     if (c.status == Status::tolerance_missed) continue;  // chaotic, and says so
     ASSERT_EQ(c.status, Status::ok);
-    NonlinearOptions options;
-    options.accuracy = 1e-16;
-    options.settle = 1e-14;
     const auto column = reduced_column<long double>(p);
-    const Outcome<long double> finer = nonlinear_collision(column, options);
+    const Outcome<long double> finer = nonlinear_collision(column, 1e-16, {.settle = 1e-14});
     const long double eps_eff = energies<long double>(finer.velocity, 1.0L).eps_eff;
     const double error = std::fabs(static_cast<double>(eps_eff) - c.eps_eff);
     bars.see(error, c.eps_eff_error);

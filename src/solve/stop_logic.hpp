@@ -1,0 +1,59 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "sigmasweep/model/result.hpp"
+#include "solve/run_limits.hpp"
+
+namespace sigmasweep {
+
+/// Decides when a run of an event loop gives up: after too many contacts, too much work, or with no time left. Every
+/// event loop asks it before each event.
+class StopLogic {
+ public:
+  /// A solver's own limits stand in for those that are 0.
+  StopLogic(const RunLimits& limits, std::uint64_t own_event_limit, std::uint64_t own_work_limit) : limits_(limits) {
+    if (limits_.event_limit == 0) limits_.event_limit = own_event_limit;
+    if (limits_.work_limit == 0) limits_.work_limit = own_work_limit;
+  }
+
+  /// Status::ok: go on. `cost`: work since the last question, for the budget's clock.
+  Status why_stop(std::uint64_t contacts, std::uint64_t work, std::uint64_t cost) const {
+    if (contacts >= limits_.event_limit || work >= limits_.work_limit) return Status::event_limit;
+    if (limits_.budget && limits_.budget->is_over(cost)) return Status::time_limit;
+    return Status::ok;
+  }
+
+  std::uint64_t event_limit() const { return limits_.event_limit; }
+  double settle() const { return limits_.settle; }
+
+ private:
+  RunLimits limits_;
+};
+
+/// Says when an event loop of N contacts should look whether its column has settled, as a look costs about N: after
+/// some contacts, or after many steps in which overdamped contacts creep.
+class SettleSchedule {
+ public:
+  /// The first look is at once.
+  SettleSchedule(std::size_t N, std::uint64_t steps_between)
+      : contacts_between_(std::max<std::size_t>(5, N / 8)), steps_between_(steps_between) {}
+
+  bool is_due(std::uint64_t contacts, std::uint64_t steps) {
+    if (contacts < next_contacts_ && steps < next_steps_) return false;
+    note_look(contacts, steps);
+    return true;
+  }
+  /// A look at this moment counts as done.
+  void note_look(std::uint64_t contacts, std::uint64_t steps) {
+    next_contacts_ = contacts + contacts_between_;
+    next_steps_ = steps + steps_between_;
+  }
+
+ private:
+  std::uint64_t contacts_between_, steps_between_, next_contacts_ = 0, next_steps_ = 0;
+};
+
+}  // namespace sigmasweep
