@@ -29,10 +29,10 @@ namespace sigmasweep {
 ///     Real length_of(const Group&)                    of that step, in time
 ///     std::optional<size_t> event_of(const Group&)    which contact closes or opens at the step's end
 ///     void move_group(Group&, elapsed, whole_step)    x and u to `elapsed` after the step's start
-///     void fly(k, t)                                  free gap k from time at_[k] to t
+///     void advance_free(k, t)                                  free gap k from time at_[k] to t
 ///     void change_contact(k, t)                       it closes or opens
 ///     Real closes_in(k)                               how long free gap k stays open
-template <class Solver, class Real, class Group, int Motions = 1>
+template <class Solver, class Real, class Group, int Tangents = 0>
 class ContactEvents {
  protected:
   static constexpr int none = -1;
@@ -90,7 +90,7 @@ class ContactEvents {
       dissolve(id, t);
       return range;
     }
-    if (at_[k] != t) solver().fly(k, t);
+    if (at_[k] != t) solver().advance_free(k, t);
     at_[k] = t;
     return {k, k};
   }
@@ -132,10 +132,10 @@ class ContactEvents {
   const Group& group(int id) const { return *groups_[std::size_t(id)]; }
 
   std::size_t N_;
-  std::array<Motion, std::size_t(Motions)> motion_;
-  std::vector<Real>&x_, &u_;  ///< of the column's own motion
-  Real epoch_{};              ///< when the clock was last set to 0, since the start
-  std::vector<Real> at_;      ///< free gaps: the time their state is of
+  std::array<Motion, std::size_t(1 + Tangents)> motion_;  ///< the column's own, then its tangents
+  std::vector<Real>&x_, &u_;                              ///< of the column's own motion
+  Real epoch_{};                                          ///< when the clock was last set to 0, since the start
+  std::vector<Real> at_;                                  ///< free gaps: the time their state is of
   std::vector<std::uint8_t> closed_;
   std::vector<int> group_of_;
   std::vector<std::unique_ptr<Group>> groups_;

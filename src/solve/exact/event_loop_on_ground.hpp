@@ -12,11 +12,11 @@
 namespace sigmasweep {
 
 /// A column's contact events above the ground: a fixed wall, which needs nothing more, or a plate that vibrates.
-template <class Solver, class Real, class Group, int Motions, class Ground>
-class GroundEvents : public ContactEvents<Solver, Real, Group, Motions> {
+template <class Solver, class Real, class Group, int Tangents, class Ground>
+class GroundEvents : public ContactEvents<Solver, Real, Group, Tangents> {
  protected:
   GroundEvents(std::size_t contacts, const Ground& ground)
-      : ContactEvents<Solver, Real, Group, Motions>(contacts), ground_(ground) {}
+      : ContactEvents<Solver, Real, Group, Tangents>(contacts), ground_(ground) {}
 
   /// Of contact k, in no group, at time t.
   ContactState<Real> free_state(std::size_t k, const Real& t) const {
@@ -34,7 +34,7 @@ class GroundEvents : public ContactEvents<Solver, Real, Group, Motions> {
 ///     Status why_stop()                        ok: go on
 ///     column_                                  masses over the mean bead's
 template <class Solver, class Group>
-class GroundEvents<Solver, double, Group, 1, Plate> : public ContactEvents<Solver, double, Group> {
+class GroundEvents<Solver, double, Group, 0, Plate> : public ContactEvents<Solver, double, Group> {
   using Events = ContactEvents<Solver, double, Group>;
 
  public:

@@ -79,7 +79,7 @@ void VibratedHardSpheres::begin_period() {
   booked_ = energy_with_plate(now_);
   if (resting_ > 0) take_off_ = plate_.take_off(now_);
   all_in_ += std::exchange(in_, 0.0);
-  all_lost_ += std::exchange(lost_, 0.0);
+  all_dissipated_ += std::exchange(dissipated_, 0.0);
   period_began_ = collisions_;
 }
 
@@ -158,7 +158,7 @@ void VibratedHardSpheres::collide(std::size_t k) {
   if (k > 0) change_rate(k - 1, contact.below * change);
   if (k + 1 < contacts_.size()) change_rate(k + 1, contact.above * change);
   if (k == 0) in_ += plate_speed_ * reduced_mass * change;
-  lost_ += 0.5 * reduced_mass * (1.0 - e) * (1.0 + e) * u * u;
+  dissipated_ += 0.5 * reduced_mass * (1.0 - e) * (1.0 + e) * u * u;
   ++collisions_;
 }
 
@@ -234,15 +234,15 @@ void VibratedHardSpheres::join(std::size_t lowest, const Cluster& cluster) {
   status_ = Status::collapsed;
   const std::size_t first = lowest + cluster.first, end = first + cluster.beads - 1;
   const double common = cluster.wall ? 0.0 : cluster.bottom_change;  // relative to the lowest bead, or the plate
-  if (!cluster.wall) lost_ += 0.5 * contacts_[first - 1].mass * common * common;
+  if (!cluster.wall) dissipated_ += 0.5 * contacts_[first - 1].mass * common * common;
   double v = 0.0, fall = 0.0;
   for (std::size_t k = first; k < end; ++k) {
     update(k);
     Contact& contact = contacts_[k];
     v -= contact.u;
     fall += contact.gap;  // what little was left of it
-    lost_ += contact.mass * plate_.g * fall;
-    lost_ += 0.5 * contact.mass * (v - common) * (v - common);
+    dissipated_ += contact.mass * plate_.g * fall;
+    dissipated_ += 0.5 * contact.mass * (v - common) * (v - common);
     if (cluster.wall) in_ -= plate_speed_ * contact.mass * v;
     contact.gap = contact.u = 0.0;
     contact.last = now_;

@@ -62,7 +62,7 @@ class VibratedHardSpheres {
       advance(next);
       if (next == period_) {
         begin_period();
-        watcher.end_period(energy() - start_energy_, all_in_, all_lost_);
+        watcher.end_period(energy() - start_energy_, all_in_, all_dissipated_);
       }
     }
   }
@@ -132,8 +132,8 @@ class VibratedHardSpheres {
   double booked_ = 0.0;                    ///< what those had of energy_with_plate() when their work was last entered
   double resting_mass_ = 0.0;
   double start_energy_ = 0.0;
-  double in_ = 0.0, lost_ = 0.0;          ///< the plate's work and what collisions lost in this period ...
-  double all_in_ = 0.0, all_lost_ = 0.0;  ///< ... and before: small terms would vanish beside these sums
+  double in_ = 0.0, dissipated_ = 0.0;          ///< the plate's work and what collisions lost in this period ...
+  double all_in_ = 0.0, all_dissipated_ = 0.0;  ///< ... and before: small terms would vanish beside these sums
   Status status_ = Status::ok;
   std::uint64_t collisions_ = 0, period_began_ = 0, next_try_ = 0;
   std::vector<double> touching_;  ///< closing speeds of a run of touching contacts

@@ -48,7 +48,7 @@ class NormalModesColumn {
     begin();
     while (outcome_.status == Status::ok && outcome_.end == End::none) {
       if (runs_.empty())
-        fly();
+        advance_free();
       else
         step();
       outcome_.status = stop_.why_stop(outcome_.contacts, work_, 1);
@@ -78,7 +78,7 @@ class NormalModesColumn {
   }
 
   /// No contact is closed: to the next that closes.
-  void fly() {
+  void advance_free() {
     constexpr Real standstill = 1e-17L;
     Real t = std::numeric_limits<Real>::infinity();
     std::size_t first = 0;

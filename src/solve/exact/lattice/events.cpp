@@ -77,7 +77,7 @@ void LatticeEvents<Real, Ground>::count_contact_time(const Real& t) {
   counted_to_ = epoch_ + t;
 }
 
-/// A time without contacts ends at t. Kinetic energies for now, see doubt_the_end().
+/// A time without contacts ends at t. Kinetic energies for now, see note_ending_uncertainty().
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::note_wait(const Real& t) {
   const Real length = epoch_ + t - last_touch_;
@@ -85,7 +85,7 @@ void LatticeEvents<Real, Ground>::note_wait(const Real& t) {
 }
 
 template <class Real, class Ground>
-void LatticeEvents<Real, Ground>::touch(std::size_t i, const Neighbour<Real>& other, const Real& t) {
+void LatticeEvents<Real, Ground>::close_contact(std::size_t i, const Neighbour<Real>& other, const Real& t) {
   count_contact_time(t);
   if (closed_ == 0 && contacts_ > 0 && !Ground::moves) note_wait(t);
   touching_[i].push_back(other);
@@ -96,7 +96,7 @@ void LatticeEvents<Real, Ground>::touch(std::size_t i, const Neighbour<Real>& ot
 }
 
 template <class Real, class Ground>
-void LatticeEvents<Real, Ground>::part(std::size_t i, const Neighbour<Real>& other, const Real& t) {
+void LatticeEvents<Real, Ground>::open_contact(std::size_t i, const Neighbour<Real>& other, const Real& t) {
   const auto forget = [this](std::size_t bead, std::uint32_t with, std::int32_t image) {
     std::erase_if(touching_[bead], [&](const Neighbour<Real>& n) { return n.is(with, image); });
   };
@@ -110,7 +110,7 @@ void LatticeEvents<Real, Ground>::part(std::size_t i, const Neighbour<Real>& oth
 }
 
 /// Newton's method for the time at which the gap opens or closes, where clusters can be stepped to it. False if it does
-/// not, or only after the next event: then they are cut where it was foreseen.
+/// not, or only after the next event: then they are cut where it was predicted.
 template <class Real, class Ground>
 bool LatticeEvents<Real, Ground>::locate(Real& t, std::size_t i, const Neighbour<Real>& other,
                                          std::span<const std::size_t> whole) {
@@ -156,9 +156,9 @@ void LatticeEvents<Real, Ground>::change_gap(const Event& event) {
   for (const std::size_t id : whole) gather_cluster(id, t, placed);
   if (changes) {
     const bool opens = touches(event.bead, other);
-    if (!opens) touch(event.bead, other, t);
+    if (!opens) close_contact(event.bead, other, t);
     gather_near(other.is_wall() ? std::vector{event.bead} : std::vector{event.bead, other.bead}, t, placed);
-    if (opens) part(event.bead, other, t);
+    if (opens) open_contact(event.bead, other, t);
   }
   restart(placed, t);
 }
@@ -183,7 +183,7 @@ void LatticeEvents<Real, Ground>::restart(std::vector<Placed>& placed, const Rea
   for (const Placed& p : placed) {
     if (beads_[p.bead].cluster != -1) continue;
     if (touching_[p.bead].empty()) {
-      push(leaves(p.bead, t), Kind::list, p.bead, {});
+      enqueue(leaves(p.bead, t), Kind::list, p.bead, {});
       continue;
     }
     group.assign(1, p.bead);
@@ -199,12 +199,12 @@ void LatticeEvents<Real, Ground>::restart(std::vector<Placed>& placed, const Rea
     }
     restart_group(group, span, t);
   }
-  for (const Placed& p : placed) foresee(p.bead, t);
+  for (const Placed& p : placed) predict_events(p.bead, t);
 }
 
 /// When the next step of clusters that are not whole has to end.
 template <class Real, class Ground>
-Real LatticeEvents<Real, Ground>::next_beat(const Real& t) const {
+Real LatticeEvents<Real, Ground>::next_sync_time(const Real& t) const {
   using std::floor;
   return longest_ * (floor(Real(t / longest_ + Real(no_time))) + 1);
 }
@@ -240,7 +240,7 @@ void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> g
       }
     }
   held.whole = guests.empty() && group.size() <= max_whole;
-  if (!held.whole) longest = std::min(longest, Real(next_beat(t) - t));
+  if (!held.whole) longest = std::min(longest, Real(next_sync_time(t) - t));
   if (!held.whole || span < never) cluster.expect(held.whole ? span : longest);
   ++held.version;
   if (!cluster.step(t, longest)) step_underflow_ = true;
@@ -266,8 +266,8 @@ void LatticeEvents<Real, Ground>::handle(const Event& event) {
     }
     case Kind::list: {  // meetings with those who were on the list before are known
       for (const Neighbour<Real>& fresh : std::vector(neighbours_.move(event.bead, at(event.bead, event.time).q)))
-        foresee(event.bead, fresh, event.time);
-      push(leaves(event.bead, event.time), Kind::list, event.bead, {});
+        predict_events(event.bead, fresh, event.time);
+      enqueue(leaves(event.bead, event.time), Kind::list, event.bead, {});
     }
   }
 }

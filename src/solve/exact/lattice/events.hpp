@@ -22,9 +22,9 @@ namespace sigmasweep {
 
 /// A lattice's motion from event to event. A bead in no contact flies in closed form; beads that touch are moved step
 /// by step in clusters, each with a clock of its own. Events, in the order of time: the gap of a pair (or of a bead and
-/// a wall) closes or opens, as foreseen from the motions of both as far as they are known; a cluster's step is over; a
-/// bead has gone so far that its list of neighbours must be made anew. When a bead's motion changes what was foreseen
-/// of it is void (its version grows), and foreseen anew.
+/// a wall) closes or opens, as predicted from the motions of both as far as they are known; a cluster's step is over; a
+/// bead has gone so far that its list of neighbours must be made anew. When a bead's motion changes what was predicted
+/// of it is void (its version grows), and predicted anew.
 ///
 /// What touches in small groups is one cluster, and moved exactly. Of a large group an event concerns only those near
 /// it at first: news travels from bead to bead, and what it does n beads away begins with the 2n-th power of the time.
@@ -94,12 +94,12 @@ class LatticeEvents {
   Motion<Real> gap(std::size_t i, const Neighbour<Real>& other, const Real& t) const;
   bool touches(std::size_t i, const Neighbour<Real>& other) const;
 
-  // What is foreseen.
+  // What is predicted.
   bool is_valid(const Event& event) const;
   Real next_event();
-  void push(const Real& t, Kind kind, std::uint32_t bead, const Neighbour<Real>& other);
-  void foresee(std::size_t i, const Real& t);
-  void foresee(std::size_t i, const Neighbour<Real>& other, const Real& t);
+  void enqueue(const Real& t, Kind kind, std::uint32_t bead, const Neighbour<Real>& other);
+  void predict_events(std::size_t i, const Real& t);
+  void predict_events(std::size_t i, const Neighbour<Real>& other, const Real& t);
   Real meeting_in_flight(std::size_t i, const Neighbour<Real>& other, const Real& t) const;
   bool is_far(std::size_t i, const Neighbour<Real>& other, const Real& t, const Real& end) const;
   Real meeting_of_motions(std::size_t i, const Neighbour<Real>& other, const Real& t, const Real& until) const;
@@ -110,15 +110,15 @@ class LatticeEvents {
   void handle(const Event& event);
   void change_gap(const Event& event);
   bool locate(Real& t, std::size_t i, const Neighbour<Real>& other, std::span<const std::size_t> whole);
-  void touch(std::size_t i, const Neighbour<Real>& other, const Real& t);
+  void close_contact(std::size_t i, const Neighbour<Real>& other, const Real& t);
   void count_contact_time(const Real& t);
   void note_wait(const Real& t);
-  void part(std::size_t i, const Neighbour<Real>& other, const Real& t);
+  void open_contact(std::size_t i, const Neighbour<Real>& other, const Real& t);
   void note_overlaps(std::size_t i, const Real& t);
   void gather_near(std::vector<std::uint32_t> layer, const Real& t, std::vector<Placed>& placed);
   void gather_cluster(std::size_t id, const Real& t, std::vector<Placed>& placed);
   void restart(std::vector<Placed>& placed, const Real& t);
-  Real next_beat(const Real& t) const;
+  Real next_sync_time(const Real& t) const;
   void restart_group(std::span<const std::uint32_t> group, const Real& span, const Real& t);
   void renew_list(std::size_t i, const Real& t);
   std::size_t new_cluster(std::size_t count);
@@ -128,7 +128,7 @@ class LatticeEvents {
   Real later_change(const Real& loss) const;
   Real kinetic(const Real& t) const;
   Real energy_at_start() const;
-  void doubt_the_end(LatticeOutcome<Real>& outcome);
+  void note_ending_uncertainty(LatticeOutcome<Real>& outcome);
   double energy(const Real& t) const requires(Ground::moves);
   void handle_next();
   Status why_stop();

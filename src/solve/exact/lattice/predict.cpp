@@ -74,7 +74,7 @@ Real LatticeEvents<Real, Ground>::next_event() {
 }
 
 template <class Real, class Ground>
-void LatticeEvents<Real, Ground>::push(const Real& t, Kind kind, std::uint32_t bead, const Neighbour<Real>& other) {
+void LatticeEvents<Real, Ground>::enqueue(const Real& t, Kind kind, std::uint32_t bead, const Neighbour<Real>& other) {
   if (!(t < never)) return;
   const std::uint32_t other_version = other.bead < beads_.size() ? beads_[other.bead].version : 0;
   queue_.push({t, kind, bead, other.bead, other.image, beads_[bead].version, other_version});
@@ -159,23 +159,23 @@ bool LatticeEvents<Real, Ground>::is_far(std::size_t i, const Neighbour<Real>& o
 }
 
 template <class Real, class Ground>
-void LatticeEvents<Real, Ground>::foresee(std::size_t i, const Neighbour<Real>& other, const Real& t) {
+void LatticeEvents<Real, Ground>::predict_events(std::size_t i, const Neighbour<Real>& other, const Real& t) {
   const auto me = static_cast<std::uint32_t>(i);
   const bool alone = beads_[i].cluster < 0 && (other.is_wall() || beads_[other.bead].cluster < 0);
-  if (alone) return push(meeting_in_flight(i, other, t), Kind::gap, me, other);
+  if (alone) return enqueue(meeting_in_flight(i, other, t), Kind::gap, me, other);
   const Real end = std::min(until(i), other.is_wall() ? never : until(other.bead));
   if (!(end > t)) return;
   const bool touching = touches(i, other);
   if (!touching && is_far(i, other, t, end)) return;
-  push(touching ? opening(i, other, t, end) : meeting_of_motions(i, other, t, end), Kind::gap, me, other);
+  enqueue(touching ? opening(i, other, t, end) : meeting_of_motions(i, other, t, end), Kind::gap, me, other);
 }
 
-/// All that may happen to bead i; what it may have with marked ones of smaller numbers is foreseen from there.
+/// All that may happen to bead i; what it may have with marked ones of smaller numbers is predicted from there.
 template <class Real, class Ground>
-void LatticeEvents<Real, Ground>::foresee(std::size_t i, const Real& t) {
+void LatticeEvents<Real, Ground>::predict_events(std::size_t i, const Real& t) {
   for (const Neighbour<Real>& other : neighbours_.of(i)) {
     const bool from_there = !other.is_wall() && other.bead < i && mark_[other.bead] == marks_;
-    if (!from_there) foresee(i, other, t);
+    if (!from_there) predict_events(i, other, t);
   }
 }
 

@@ -114,7 +114,7 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
   outcome.contacts = contacts_;
   outcome.contact_time = contact_time_;
   if constexpr (!Watcher::observes)
-    if (outcome.end == End::quiet) doubt_the_end(outcome);
+    if (outcome.end == End::quiet) note_ending_uncertainty(outcome);
   return outcome;
 }
 
@@ -152,7 +152,7 @@ Real LatticeEvents<Real, Ground>::later_change(const Real& loss) const {
 /// What eps_eff would be if one of the waits had been the end; and, as the next contact is waited for half as long
 /// again, if that had not been.
 template <class Real, class Ground>
-void LatticeEvents<Real, Ground>::doubt_the_end(LatticeOutcome<Real>& outcome) {
+void LatticeEvents<Real, Ground>::note_ending_uncertainty(LatticeOutcome<Real>& outcome) {
   using std::fabs, std::sqrt;
   const Real latest = last_touch_ + Real(1.5) * lattice_.quiet_time(), E = kinetic(now_);
   outcome.waits = waits_;

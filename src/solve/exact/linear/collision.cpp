@@ -59,17 +59,17 @@ struct Effort {
 };
 
 /// The collision computed in `Real`, its error bar included.
-template <class Real, bool Uneven, int Order>
+template <class Real, bool HasUnequalMasses, int Order>
 SimulationResult computed_from(const Column<Real>& column, const Parameters& p, const RunLimits& limits,
                                Effort& effort) {
-  using Exact = ExactColumn<Real, 1, Uneven, Order>;
+  using Exact = ExactColumn<Real, 1, HasUnequalMasses, Order>;
   Exact exact(column, limits);
   const Outcome<Real> outcome = exact.run();
   effort = {exact.work(), static_cast<double>(exact.disturbance())};
   SimulationResult c = to_si_result<Real>(outcome, p, column.mass);
   if (c.status != Status::ok) return c;
   double roundings = last_roundings + drift * double(exact.work()) / double(p.N);
-  if constexpr (Uneven) roundings += shares * double(outcome.contacts) / double(p.N);
+  if constexpr (HasUnequalMasses) roundings += shares * double(outcome.contacts) / double(p.N);
   // K_over_m and D_n near critical damping: restitution may be small, and has the roundings of numbers of order one.
   const Real size = p.K_over_m > 0.0 ? Real(1) : Real(c.eps_eff);
   const Real error = exact.error(safety) + Real(roundings) * Exact::local_error() * size;

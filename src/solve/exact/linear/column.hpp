@@ -49,20 +49,21 @@ struct OnGround<Plate> {
 /// One collision under the linear law, from contact event to contact event (contact_events.hpp). A group of contacts is
 /// propagated by Taylor series, exact to rounding, a lone contact that nothing can disturb in one closed formula.
 ///
-/// Beside the column's own motion run `Disturbances` linearised ones: what rounding puts into the state, drawn at
+/// Beside the column's own motion run `Tangents` linearised ones: what rounding puts into the state, drawn at
 /// random step by step and carried along by the same linear maps and by the jumps at the events. They measure how much
 /// of the rounding error survives to the end.
 ///
 /// Order: of the Taylor series. Where it is low what they leave out takes the place of rounding.
 ///
-/// Uneven: the beads have masses of their own (column.mass). Gaps that differ need no such feature.
+/// HasUnequalMasses: the beads have masses of their own (column.mass). Gaps that differ need no such feature.
 ///
 /// Ground: a fixed wall, or a plate that vibrates under gravity; what that needs is in exact_column_plate.cpp.
-template <class Real, int Disturbances, bool Uneven, int Order = TaylorOrder<Real>::value, class Ground = FixedWall>
+template <class Real, int Tangents, bool HasUnequalMasses, int Order = TaylorOrder<Real>::value,
+          class Ground = FixedWall>
 class ExactColumn
-    : private GroundEvents<ExactColumn<Real, Disturbances, Uneven, Order, Ground>, Real,
-                           ExactGroup<Real, TaylorGroup<Real, 1 + Disturbances, Uneven, Order, Ground::moves>>,
-                           1 + Disturbances, Ground> {
+    : private GroundEvents<ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>, Real,
+                           ExactGroup<Real, TaylorGroup<Real, Tangents, HasUnequalMasses, Order, Ground::moves>>,
+                           Tangents, Ground> {
  public:
   ExactColumn(const Column<Real>& column, const RunLimits& limits, const Ground& ground = {});
   /// Before run(): all contacts open, gaps as in the column (the wall's, too), and these closing speeds. Time 0 is now.
@@ -87,13 +88,13 @@ class ExactColumn
 
  private:
   static constexpr double longest_clock = 16.0;  ///< t_c
-  static constexpr int motions = 1 + Disturbances;
+  static constexpr int motions = 1 + Tangents;
   using State = ContactState<Real>;
-  using Taylor = TaylorGroup<Real, motions, Uneven, Order, Ground::moves>;
+  using Taylor = TaylorGroup<Real, Tangents, HasUnequalMasses, Order, Ground::moves>;
   using Group = ExactGroup<Real, Taylor>;
-  using Events = GroundEvents<ExactColumn, Real, Group, motions, Ground>;
+  using Events = GroundEvents<ExactColumn, Real, Group, Tangents, Ground>;
   friend Events;
-  friend ContactEvents<ExactColumn, Real, Group, motions>;
+  friend ContactEvents<ExactColumn, Real, Group, Tangents>;
   using Events::N_, Events::motion_, Events::x_, Events::u_, Events::at_, Events::closed_, Events::group_of_,
       Events::epoch_, Events::events_, Events::contacts_, Events::wall_opened_, Events::x_max_, Events::ground_,
       Events::state, Events::velocities;
@@ -114,7 +115,7 @@ class ExactColumn
     return group.event ? std::optional(group.contact) : std::nullopt;
   }
   Real closes_in(std::size_t k) const { return this->closes_at(k, Real(0)); }
-  void fly(std::size_t k, const Real& t);
+  void advance_free(std::size_t k, const Real& t);
   void change_contact(std::size_t k, const Real& t);
   void move_group(Group& group, const Real& elapsed, bool whole_step);
   void move_taylor(Group& group, const Real& elapsed, bool whole_step);
@@ -135,8 +136,8 @@ class ExactColumn
   StopLogic stop_;
   SettleSchedule settle_schedule_;
   [[no_unique_address]] OnGround<Ground> on_ground_;
-  ContactLaws<Real, Uneven> laws_;
-  StepLengths<Real, Uneven> steps_;
+  ContactLaws<Real, HasUnequalMasses> laws_;
+  StepLengths<Real, HasUnequalMasses> steps_;
   Noise noise_;
   std::size_t closed_count_ = 0;
   std::uint64_t work_ = 0;

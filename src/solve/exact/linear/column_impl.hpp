@@ -9,9 +9,9 @@
 
 namespace sigmasweep {
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-ExactColumn<Real, Disturbances, Uneven, Order, Ground>::ExactColumn(const Column<Real>& column, const RunLimits& limits,
-                                                                    const Ground& ground)
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::ExactColumn(const Column<Real>& column,
+                                                                          const RunLimits& limits, const Ground& ground)
     : Events(column.contacts(), ground),
       column_(column),
       stop_(limits, 100'000 + 20 * column.contacts() * column.contacts(), 100'000'000),
@@ -30,8 +30,8 @@ ExactColumn<Real, Disturbances, Uneven, Order, Ground>::ExactColumn(const Column
   disturb_gaps();
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::start_from(std::span<const Real> rates) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::start_from(std::span<const Real> rates) {
   closed_.assign(N_, 0);
   closed_count_ = 0;
   x_[0] = -column_.initial_gap(0);
@@ -39,8 +39,8 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::start_from(std::spa
 }
 
 /// The gaps are rounded numbers too: all of them the same way, as sigma is, or each for itself.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::disturb_gaps() {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::disturb_gaps() {
   const auto& gaps = column_.gaps;
   const Real widest = gaps.empty() ? column_.gap : *std::max_element(gaps.begin(), gaps.end());
   for (int m = 1; m < motions; ++m) {
@@ -55,9 +55,9 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::disturb_gaps() {
 /// The clock starts at the first contact with the wall, after a flight of gap/speed in which nothing else happens.
 /// Beads that touch from the wall on are closed contacts. Others that touch are open ones with x = 0 and u = 0, and
 /// close as soon as something pushes.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
 template <class Watcher>
-Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run(Watcher& watcher) {
+Outcome<Real> ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::run(Watcher& watcher) {
   Outcome<Real> outcome;
   this->regroup({0, N_ - 1}, Real(0));
 
@@ -93,16 +93,16 @@ Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run(Watche
   return outcome;
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-Outcome<Real> ExactColumn<Real, Disturbances, Uneven, Order, Ground>::run() {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+Outcome<Real> ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::run() {
   NullObserver nobody;
   return run(nobody);
 }
 
 /// An open contact closes or a closed one opens, at overlap exactly 0. A disturbed column does so earlier or later by
 /// -dx_k/u_k, and for so long feels, or lacks, the force C u_k: its rates jump by what that does.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::change_contact(std::size_t k, const Real& t) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::change_contact(std::size_t k, const Real& t) {
   for (int m = 1; m < motions; ++m) {
     auto& u = motion_[m].u;
     const Real handed_on = laws_.dashpot(k) * motion_[m].x[k];
@@ -122,8 +122,8 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::change_contact(std:
   if (k == 0) wall_opened_ = epoch_ + t;
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::fly(std::size_t k, const Real& t) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::advance_free(std::size_t k, const Real& t) {
   const State now = this->free_state(k, t);
   x_[k] = now.x;
   u_[k] = now.u;
@@ -135,9 +135,9 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::fly(std::size_t k, 
 }
 
 /// x and u of the group's contacts at `elapsed` after the start of its step.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_group(Group& group, const Real& elapsed,
-                                                                        bool whole_step) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::move_group(Group& group, const Real& elapsed,
+                                                                              bool whole_step) {
   if constexpr (Ground::moves) {
     this->work_done_ += work_of(group, elapsed);
     if (group.resting) return move_resting(elapsed);
@@ -148,23 +148,23 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_group(Group& g
     move_taylor(group, elapsed, whole_step);
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_taylor(Group& group, const Real& elapsed,
-                                                                         bool whole_step) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::move_taylor(Group& group, const Real& elapsed,
+                                                                               bool whole_step) {
   const std::size_t n = group.hi - group.lo + 1;
   const Real s = whole_step ? group.scaled : Real(elapsed / group.taylor.step());
   for (int m = 0; m < motions; ++m)
     group.taylor.evaluate(m, s, std::span(motion_[m].x).subspan(group.lo, n),
                           std::span(motion_[m].u).subspan(group.lo, n));
-  if (Disturbances > 0 && s > 0)
+  if (Tangents > 0 && s > 0)
     for (std::size_t i = 0; i < n; ++i) disturb(group.lo + i, group.taylor.magnitude_of(i, s));
   for (std::size_t i = 0; i < n; ++i)
     if (closed_[group.lo + i]) x_max_ = group.taylor.deepest(i, s, x_max_);
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_binary(Group& group, const Real& elapsed,
-                                                                         bool whole_step) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::move_binary(Group& group, const Real& elapsed,
+                                                                               bool whole_step) {
   const std::size_t k = group.contact;
   const auto& contact = laws_.binary(k);
   const State entry = state(k);
@@ -186,8 +186,8 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_binary(Group& 
 }
 
 /// A rounding error of the state of contact i, whose parts are of the given magnitude.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::disturb(std::size_t i, const State& magnitude) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::disturb(std::size_t i, const State& magnitude) {
   const Real rounding = local_error();
   for (int m = 1; m < motions; ++m) {
     motion_[m].x[i] += Real(noise_.next()) * rounding * magnitude.x;
@@ -195,8 +195,8 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::disturb(std::size_t
   }
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::step_group(Group& group) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::step_group(Group& group) {
   for (std::size_t k = group.lo; k <= group.hi; ++k) {
     // Rounding may leave a contact on the wrong side of 0.
     if (closed_[k] ? x_[k] < 0 : x_[k] > 0) x_[k] = Real(0);
@@ -211,8 +211,8 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::step_group(Group& g
 
 /// A lone closed contact that nothing can disturb before it opens is followed to its end in one closed formula. As
 /// x >= 0, each neighbouring gap stays below x_gap + u_gap t + push_bound(t), which is linear in t.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_binary(Group& group) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+bool ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::begin_binary(Group& group) {
   if (group.hi - group.lo > 2 || (Ground::moves && group.lo == 0)) return false;
   std::size_t k = group.lo;
   while (!closed_[k]) ++k;
@@ -235,15 +235,15 @@ bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_binary(Group&
   return true;
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_taylor(Group& group) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::begin_taylor(Group& group) {
   const std::size_t n = group.hi - group.lo + 1;
   auto& taylor = group.taylor;
   if (!group.prepared) {
     taylor.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t k = group.lo + i;
-      if constexpr (Uneven)
+      if constexpr (HasUnequalMasses)
         taylor.set_law(i, closed_[k], column_.spring(k), laws_.dashpot(k), laws_.below(k), laws_.above(k));
       else
         taylor.set_law(i, closed_[k], column_.spring(k), laws_.dashpot(k), laws_.inertia(k));
@@ -265,16 +265,16 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_taylor(Group&
 }
 
 /// Looked at now and then: after some contacts, or after many steps in which overdamped contacts creep.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::settled(std::uint64_t step) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+bool ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::settled(std::uint64_t step) {
   if (!settle_schedule_.is_due(contacts_, step)) return false;
   const Balance now = balance();
-  if (Disturbances > 0 && (balances_.empty() || now.remaining < balances_.back().remaining)) balances_.push_back(now);
+  if (Tangents > 0 && (balances_.empty() || now.remaining < balances_.back().remaining)) balances_.push_back(now);
   return now.remaining < Real(stop_.settle());
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-auto ExactColumn<Real, Disturbances, Uneven, Order, Ground>::balance() const -> Balance {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+auto ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::balance() const -> Balance {
   const EnergyBalance<Real> energy(column_, closed_, x_, velocities(0));
   Balance now{Real(0), energy.remaining()};
   for (int m = 1; m < motions; ++m)
@@ -284,8 +284,8 @@ auto ExactColumn<Real, Disturbances, Uneven, Order, Ground>::balance() const -> 
 
 /// At any moment sqrt(E/E_0) is off by its disturbance, and from there both the true and the computed one fall by no
 /// more than what remains: small disturbances late in a collision may grow large, but have little left to act on.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-Real ExactColumn<Real, Disturbances, Uneven, Order, Ground>::error(double safety) const {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+Real ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::error(double safety) const {
   const Balance end = balance();
   Real least = Real(safety) * end.disturbance + end.remaining;
   for (const Balance& b : balances_) least = std::min(least, Real(Real(safety) * b.disturbance + b.remaining));
@@ -293,9 +293,9 @@ Real ExactColumn<Real, Disturbances, Uneven, Order, Ground>::error(double safety
 }
 
 /// Overlaps and rates of all contacts at a time between the last event and the next; changes nothing.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::state_at(const Real& t, std::span<Real> x,
-                                                                      std::span<Real> u) const {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::state_at(const Real& t, std::span<Real> x,
+                                                                            std::span<Real> u) const {
   for (std::size_t k = 0; k < N_; ++k) {
     if (group_of_[k] == Events::none) {
       const State now = this->free_state(k, t);

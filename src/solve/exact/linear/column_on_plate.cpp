@@ -12,19 +12,20 @@ namespace {
 constexpr double worth = 4.0;
 constexpr int longest_wait = 16;
 /// Beads up to which their modes are worth finding: tenths of a second where masses differ, a hundredth else.
-constexpr std::size_t max_beads = 100, max_uneven_beads = 32;
+constexpr std::size_t max_beads = 100, max_unequal_beads = 32;
 
 }  // namespace
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-Status ExactColumn<Real, Disturbances, Uneven, Order, Ground>::why_stop() requires(Ground::moves) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+Status ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::why_stop() requires(Ground::moves) {
   return stop_.why_stop(contacts_, work_, 1 + closed_count_);
 }
 
 /// load(start + s h) = g - A0 omega^2 sin(omega start + omega h s) as a series in s, for a group that has the lowest
 /// bead.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::drive(Group& group, Real& h) requires(Ground::moves) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::drive(Group& group,
+                                                                         Real& h) requires(Ground::moves) {
   if (group.lo > 0) return group.taylor.drive({}, h);
   h = std::min(h, taylor_reach / ground_.omega);
   const Real phase = ground_.omega * group.start, angle = ground_.omega * h;
@@ -37,12 +38,12 @@ void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::drive(Group& group,
 }
 
 /// A group of closed contacts from the plate on, with an open one above them or none, as far as it lies still.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_rest(Group& group) requires(Ground::moves) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+bool ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::begin_rest(Group& group) requires(Ground::moves) {
   if (group.lo > 0 || !(ground_.load(group.start) > 0)) return false;
   std::size_t beads = 0;
   while (beads <= group.hi && closed_[beads]) ++beads;
-  if (beads < group.hi || beads == 0 || beads > (Uneven ? max_uneven_beads : max_beads)) return false;
+  if (beads < group.hi || beads == 0 || beads > (HasUnequalMasses ? max_unequal_beads : max_beads)) return false;
   if (on_ground_.wait-- > 0) return false;
   auto& clusters = on_ground_.clusters;
   if (clusters.size() <= beads) clusters.resize(N_ + 1);
@@ -63,15 +64,17 @@ bool ExactColumn<Real, Disturbances, Uneven, Order, Ground>::begin_rest(Group& g
   return true;
 }
 
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-void ExactColumn<Real, Disturbances, Uneven, Order, Ground>::move_resting(const Real& elapsed) requires(Ground::moves) {
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::move_resting(const Real& elapsed) requires(
+    Ground::moves) {
   x_max_ = std::max(x_max_, on_ground_.resting->deepest(elapsed));
   on_ground_.resting->evaluate(elapsed, x_, u_);
 }
 
 /// int F_0 z0' dt and sum_k int C_k u_k^2 dt from the start of the group's step to `elapsed` later.
-template <class Real, int Disturbances, bool Uneven, int Order, class Ground>
-PlateWork ExactColumn<Real, Disturbances, Uneven, Order, Ground>::work_of(const Group& group, const Real& elapsed) const
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+PlateWork ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::work_of(const Group& group,
+                                                                                const Real& elapsed) const
     requires(Ground::moves) {
   if (group.resting) return on_ground_.resting->work(elapsed);
   PlateWork work;

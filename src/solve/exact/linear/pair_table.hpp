@@ -8,8 +8,8 @@
 namespace sigmasweep {
 
 /// What the exact solver asks of contact k again and again. With the beads numbered from 0, bead k-1 is below contact k
-/// (the wall below contact 0) and bead k above it. Uneven: the beads have masses of their own.
-template <class Real, bool Uneven>
+/// (the wall below contact 0) and bead k above it. HasUnequalMasses: the beads have masses of their own.
+template <class Real, bool HasUnequalMasses>
 class ContactLaws;
 
 /// Beads of equal mass: two laws are enough, the wall's and a pair's.

@@ -15,7 +15,7 @@ namespace sigmasweep {
 
 /// How far a Taylor step may reach: taylor_reach over the largest rate |s| among the modes e^(st) of its chains of
 /// closed contacts.
-template <class Real, bool Uneven>
+template <class Real, bool HasUnequalMasses>
 class StepLengths;
 
 /// Beads of equal mass: the dashpots are proportional to the springs, so the modes obey

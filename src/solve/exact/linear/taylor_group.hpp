@@ -35,7 +35,7 @@ inline constexpr int low_order = 14;
 
 /// How the forces F of neighbouring contacts drive one another, in blocks of contacts. Beads of equal mass 1:
 ///     x_k'' = F_{k-1} - w_k F_k + F_{k+1},   w_k = 2 (1 for the wall contact, whose wall does not move).
-template <class Block, bool Uneven>
+template <class Block, bool HasUnequalMasses>
 struct Coupling {
   Block w;
   Block operator()(const Block& below, const Block& F, const Block& above) const { return below + above - w * F; }
@@ -53,33 +53,34 @@ struct Coupling<Block, true> {
 /// A run of neighbouring contacts, some closed and some open, propagated together. With F_k = K_k x_k + C_k x_k' where
 /// k is closed and 0 where it is open, and coupled as above, they are a linear system with constant coefficients: its
 /// Taylor series about the step's start is exact to rounding.
-/// Several motions (Motions: the column's own and linearised disturbances of it) go through the same maps side by side.
-/// Driven: the first contact of the column's own motion may be accelerated from outside, too.
-template <class Real, int Motions, bool Uneven = false, int Order = TaylorOrder<Real>::value, bool Driven = false>
+/// Several motions go through the same maps side by side: the column's own, number 0, and `Tangents` linearised
+/// disturbances of it. Driven: the first contact of the column's own motion may be accelerated from outside, too.
+template <class Real, int Tangents, bool HasUnequalMasses = false, int Order = TaylorOrder<Real>::value,
+          bool Driven = false>
 class TaylorGroup {
  public:
-  static constexpr int order = Order;
+  static constexpr int order = Order, motions = 1 + Tangents;
 
   /// `contacts` to propagate; room for them is kept between uses.
   void resize(std::size_t contacts) {
     contacts_ = contacts;
     blocks_ = (contacts + Block::count - 1) / Block::count;
-    a_.resize((order + 1) * Motions * blocks_);
+    a_.resize((order + 1) * motions * blocks_);
     for (auto* v : {&suspect_, &examined_, &highest_})
       if (v->size() < blocks_) v->resize(blocks_);
-    if (force_.size() < Motions * (blocks_ + 2)) force_.resize(Motions * (blocks_ + 2));
+    if (force_.size() < motions * (blocks_ + 2)) force_.resize(motions * (blocks_ + 2));
     for (auto* v : {&K_, &C_, &sign_}) v->assign(blocks_, Block());
     coupling_.assign(blocks_, {});
   }
 
   /// The law of contact i of the group: its spring and dashpot if closed, and its inertia w.
-  void set_law(std::size_t i, bool closed, const Real& K, const Real& C, const Real& w) requires(!Uneven) {
+  void set_law(std::size_t i, bool closed, const Real& K, const Real& C, const Real& w) requires(!HasUnequalMasses) {
     set_force(i, closed, K, C);
     coupling_[i / Block::count].w[i % Block::count] = w;
   }
   /// The same with 1/m of the beads below (0: the wall) and above.
   void set_law(std::size_t i, bool closed, const Real& K, const Real& C, const Real& below,
-               const Real& above) requires Uneven {
+               const Real& above) requires HasUnequalMasses {
     set_force(i, closed, K, C);
     coupling_[i / Block::count].bead_below[i % Block::count] = below;
     coupling_[i / Block::count].bead_above[i % Block::count] = above;
@@ -222,9 +223,9 @@ class TaylorGroup {
   /// Blocks that a motion can reach within a step: each term of the series brings it one contact on.
   static constexpr std::size_t halo = (order + Block::count - 1) / Block::count;
 
-  Block& term(int p, int motion, std::size_t block) { return a_[std::size_t(p * Motions + motion) * blocks_ + block]; }
+  Block& term(int p, int motion, std::size_t block) { return a_[std::size_t(p * motions + motion) * blocks_ + block]; }
   const Block& term(int p, int motion, std::size_t block) const {
-    return a_[std::size_t(p * Motions + motion) * blocks_ + block];
+    return a_[std::size_t(p * motions + motion) * blocks_ + block];
   }
   void set_force(std::size_t i, bool closed, const Real& K, const Real& C) {
     at(K_, i) = closed ? K : Real(0);
@@ -243,10 +244,10 @@ class TaylorGroup {
 
   template <int InRegisters>
   void expand_in_registers() {
-    constexpr int chains = Motions * InRegisters;  // chain c: motion c / InRegisters, block c % InRegisters
+    constexpr int chains = motions * InRegisters;  // chain c: motion c / InRegisters, block c % InRegisters
     const Block zero;
     std::array<Block, InRegisters> K, C;
-    std::array<Coupling<Block, Uneven>, InRegisters> coupling;
+    std::array<Coupling<Block, HasUnequalMasses>, InRegisters> coupling;
     std::array<Block, chains> a, b, f;
     for (int r = 0; r < InRegisters; ++r) {
       K[r] = K_[r];
@@ -276,10 +277,10 @@ class TaylorGroup {
   }
   void expand_many() {
     const std::size_t stride = blocks_ + 2;
-    for (int m = 0; m < Motions; ++m) force_[m * stride] = force_[m * stride + live_ + 1] = Block();
+    for (int m = 0; m < motions; ++m) force_[m * stride] = force_[m * stride + live_ + 1] = Block();
     for (int p = 0; p + 2 <= order; ++p) {
       const auto [spring, dashpot] = weights(p);
-      for (int m = 0; m < Motions; ++m) {
+      for (int m = 0; m < motions; ++m) {
         Block* const f = force_.data() + m * stride + 1;
         for (std::size_t b = 0; b < live_; ++b)
           f[b] = (K_[b] * Block(spring)) * term(p, m, b) + (C_[b] * Block(dashpot)) * term(p + 1, m, b);
@@ -369,7 +370,7 @@ class TaylorGroup {
   std::size_t live_ = 0;  ///< blocks from here on rest during this step, in touch, not reached by the motion below
   Real h_{};
   Blocks a_, K_, C_, sign_, suspect_, examined_, highest_, force_;
-  std::vector<Coupling<Block, Uneven>> coupling_;
+  std::vector<Coupling<Block, HasUnequalMasses>> coupling_;
   std::array<Block, Driven ? order - 1 : 0> drive_;
 };
 

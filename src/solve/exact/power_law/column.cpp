@@ -81,7 +81,7 @@ void NonlinearColumn<Real, Ground>::state_at(const Real& t, std::span<Real> x, s
 }
 
 template <class Real, class Ground>
-void NonlinearColumn<Real, Ground>::fly(std::size_t k, const Real& t) {
+void NonlinearColumn<Real, Ground>::advance_free(std::size_t k, const Real& t) {
   const ContactState<Real> now = this->free_state(k, t);
   x_[k] = now.x;
   u_[k] = now.u;

@@ -31,7 +31,7 @@ struct NonlinearGroup {
 /// units. Ground: a fixed wall, or a plate that vibrates under gravity.
 template <class Real, class Ground = FixedWall>
 class NonlinearColumn
-    : private GroundEvents<NonlinearColumn<Real, Ground>, Real, NonlinearGroup<Real, Ground>, 1, Ground> {
+    : private GroundEvents<NonlinearColumn<Real, Ground>, Real, NonlinearGroup<Real, Ground>, 0, Ground> {
  public:
   NonlinearColumn(const Column<Real>& column, double accuracy, const RunLimits& limits, const Ground& ground = {});
   Outcome<Real> run();
@@ -47,7 +47,7 @@ class NonlinearColumn
  private:
   static constexpr double longest_clock = 16.0;  ///< t_c
   using Group = NonlinearGroup<Real, Ground>;
-  using Events = GroundEvents<NonlinearColumn, Real, Group, 1, Ground>;
+  using Events = GroundEvents<NonlinearColumn, Real, Group, 0, Ground>;
   friend Events;
   friend ContactEvents<NonlinearColumn, Real, Group>;
   using Events::N_, Events::x_, Events::u_, Events::at_, Events::closed_, Events::group_of_, Events::epoch_,
@@ -59,7 +59,7 @@ class NonlinearColumn
   static const Real& length_of(const Group& group) { return group.contacts.length(); }
   static std::optional<std::size_t> event_of(const Group& group) { return group.contacts.event(); }
   Real closes_in(std::size_t k) const { return this->closes_at(k, closing_overlap_); }
-  void fly(std::size_t k, const Real& t);
+  void advance_free(std::size_t k, const Real& t);
   PlateWork work_of(Group& group, const Real& elapsed) requires(Ground::moves);
   Status why_stop();
   void change_contact(std::size_t k, const Real& t);

@@ -47,7 +47,7 @@ TEST_P(ClosedChain, MovesAsItsNormalModesDo) {
   for (int k = 0; k < n; ++k) u[std::size_t(k)] = k == 0 ? 1.0 : std::sin(3.0 * k);
   const std::vector<double> u0 = u;
 
-  TaylorGroup<double, 1> group;
+  TaylorGroup<double, 0> group;
   group.resize(std::size_t(n));
   for (int k = 0; k < n; ++k) group.set_law(std::size_t(k), true, column.K, column.C, k == 0 ? 1.0 : 2.0);
   const double fastest = 4.0 * column.C / 2.0 + std::sqrt(std::abs(4.0 * column.C * column.C - 4.0 * column.K)) +
@@ -68,8 +68,8 @@ TEST_P(ClosedChain, MovesAsItsNormalModesDo) {
 TEST(UnevenChain, WithMassesOfOneMovesAsTheEvenOne) {
   for (std::size_t n : {1, 7, 9, 40}) {
     const Column<double> column = reduced_column<double>({.epsilon = 0.7, .N = std::int64_t(n)});
-    TaylorGroup<double, 1> even;
-    TaylorGroup<double, 1, true> uneven;
+    TaylorGroup<double, 0> even;
+    TaylorGroup<double, 0, true> uneven;
     even.resize(n);
     uneven.resize(n);
     std::vector<double> x(n, 0.0), u(n, 0.0), y, v;
@@ -99,7 +99,7 @@ TEST(UnevenChain, WithMassesOfOneMovesAsTheEvenOne) {
 TEST(LongChain, RestsAheadOfTheMotion) {
   constexpr std::size_t n = 400;
   const Column<double> column = reduced_column<double>({.epsilon = 0.7, .N = n});
-  TaylorGroup<double, 1> group;
+  TaylorGroup<double, 0> group;
   group.resize(n);
   for (std::size_t k = 0; k < n; ++k) group.set_law(k, true, column.K, column.C, k == 0 ? 1.0 : 2.0);
   std::vector<double> x(n, 0.0), u(n, 0.0);
