@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "solve/exact/lattice/collision.hpp"
+#include "solve/exact/lattice/vibrated.hpp"
+#include "solve/fixed_step/lattice/vibrated.hpp"
 #include "solve/observer/lattice_samples.hpp"
+#include "solve/observer/lattice_statistics.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -39,35 +44,32 @@ Real longest_step(const Lattice<Real>& lattice, double accuracy) {
   const Real fastest_mode = sqrt(squared / lightest);
   return Real(std::min(0.4, std::pow(1e4 * accuracy, 0.2))) / fastest_mode;
 }
-/// Times closer to each other than this part of it are the same.
-constexpr double no_time = 1e-6;
+/// tc without an event after which contacts that stay closed are looked at.
+constexpr double creeping = 50.0;
 
 }  // namespace
 
 template <class Real, class Ground>
 LatticeEvents<Real, Ground>::LatticeEvents(const Lattice<Real>& lattice, double accuracy, const RunLimits& limits,
                                            const Ground& ground)
-    : lattice_(lattice),
-      accuracy_(std::max(accuracy, double(lattice.rounding()) / 8.0)),  // steps cannot do better
+    : state_(lattice, ground),
       stop_(limits, 100'000 + 1'000 * lattice.count(), 10'000'000'000 + 20'000'000 * lattice.count()),
-      ground_(ground),
-      neighbours_(lattice),
       closing_overlap_(smallest_overlap(lattice, accuracy)),
-      slowest_(Real(slow) * least_overlap(lattice, accuracy) / lattice.beads.tc),
-      longest_(longest_step(lattice, accuracy)),
-      beads_(lattice.count()),
-      touching_(lattice.count()),
-      mark_(lattice.count()),
-      slot_(lattice.count()) {
-  for (std::size_t i = 0; i < beads_.size(); ++i) {
-    if (!lattice.shift.empty()) beads_[i].q = lattice.shift[i];
-    if constexpr (!Ground::moves) beads_[i].v = {Real(0), -lattice.beads.speed};
-  }
+      schedule_(state_, closing_overlap_, Real(slow) * least_overlap(lattice, accuracy) / lattice.beads.tc),
+      regrouping_(state_, schedule_, std::max(accuracy, double(lattice.rounding()) / 8.0),  // steps cannot do better
+                  longest_step(lattice, accuracy)),
+      energies_(state_) {}
+
+template <class Real, class Ground>
+Real LatticeEvents<Real, Ground>::approach() {
+  work_ += state_.beads.size();
+  return energies_.approach(now_);
 }
 
 template <class Real, class Ground>
-bool LatticeEvents<Real, Ground>::touches(std::size_t i, const Neighbour<Real>& other) const {
-  return std::ranges::any_of(touching_[i], [&](const Neighbour<Real>& n) { return n.is(other.bead, other.image); });
+Real LatticeEvents<Real, Ground>::held() {
+  work_ += state_.beads.size();
+  return energies_.held(now_);
 }
 
 /// Up to t nothing closed or opened since the last time.
@@ -81,15 +83,15 @@ void LatticeEvents<Real, Ground>::count_contact_time(const Real& t) {
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::note_wait(const Real& t) {
   const Real length = epoch_ + t - last_touch_;
-  if (length > waits_.longest.back().length) waits_.note({length, kinetic(t)});
+  if (length > waits_.longest.back().length) waits_.note({length, energies_.kinetic(t)});
 }
 
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::close_contact(std::size_t i, const Neighbour<Real>& other, const Real& t) {
   count_contact_time(t);
   if (closed_ == 0 && contacts_ > 0 && !Ground::moves) note_wait(t);
-  touching_[i].push_back(other);
-  if (!other.is_wall()) touching_[other.bead].push_back(other.seen_from_there(static_cast<std::uint32_t>(i)));
+  state_.touching[i].push_back(other);
+  if (!other.is_wall()) state_.touching[other.bead].push_back(other.seen_from_there(static_cast<std::uint32_t>(i)));
   ++closed_;
   last_change_ = epoch_ + t;
   if (other.bead == Neighbour<Real>::bottom && wall_closed_ < 0) wall_closed_ = epoch_ + t;
@@ -98,7 +100,7 @@ void LatticeEvents<Real, Ground>::close_contact(std::size_t i, const Neighbour<R
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::open_contact(std::size_t i, const Neighbour<Real>& other, const Real& t) {
   const auto forget = [this](std::size_t bead, std::uint32_t with, std::int32_t image) {
-    std::erase_if(touching_[bead], [&](const Neighbour<Real>& n) { return n.is(with, image); });
+    std::erase_if(state_.touching[bead], [&](const Neighbour<Real>& n) { return n.is(with, image); });
   };
   count_contact_time(t);
   forget(i, other.bead, other.image);
@@ -115,15 +117,15 @@ template <class Real, class Ground>
 bool LatticeEvents<Real, Ground>::locate(Real& t, std::size_t i, const Neighbour<Real>& other,
                                          std::span<const std::size_t> whole) {
   using std::fabs;
-  Real earliest = now_, latest = next_event();
+  Real earliest = now_, latest = schedule_.next_time();
   for (const std::size_t id : whole) {
-    latest = std::min(latest, clusters_[id].cluster->end());
-    earliest = std::max(earliest, clusters_[id].cluster->begin());
+    latest = std::min(latest, state_.clusters[id].cluster->end());
+    earliest = std::max(earliest, state_.clusters[id].cluster->begin());
   }
-  const bool opens = touches(i, other);
+  const bool opens = state_.touches(i, other);
   for (int iteration = 0; iteration < 8 && !whole.empty(); ++iteration) {
-    for (const std::size_t id : whole) clusters_[id].cluster->cut(t);
-    const Motion<Real> now = gap(i, other, t);
+    for (const std::size_t id : whole) state_.clusters[id].cluster->cut(t);
+    const Motion<Real> now = state_.gap(i, other, t);
     const Real distance = opens ? Real(-now.x) : Real(now.x + closing_overlap_), rate = opens ? Real(-now.u) : now.u;
     if (fabs(distance) <= Real(0.1) * closing_overlap_) return true;
     if (!(rate < 0)) return distance <= 0;  // too late for Newton, or a miss
@@ -137,121 +139,30 @@ bool LatticeEvents<Real, Ground>::locate(Real& t, std::size_t i, const Neighbour
 
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::change_gap(const Event& event) {
-  const auto& list = neighbours_.of(event.bead);
+  const auto& list = state_.neighbours.of(event.bead);
   const auto found =
       std::ranges::find_if(list, [&](const Neighbour<Real>& n) { return n.is(event.other, event.image); });
   if (found == list.end()) return;
   const Neighbour<Real> other = *found;
   std::vector<std::size_t> whole;
   for (const std::size_t bead : {std::size_t(event.bead), std::size_t(other.bead)}) {
-    const std::int32_t id = bead < beads_.size() ? beads_[bead].cluster : -1;
-    if (id < 0 || !clusters_[std::size_t(id)].whole) continue;
+    const std::int32_t id = bead < state_.beads.size() ? state_.beads[bead].cluster : -1;
+    if (id < 0 || !state_.clusters[std::size_t(id)].whole) continue;
     if (whole.empty() || whole[0] != std::size_t(id)) whole.push_back(std::size_t(id));
   }
   Real t = event.time;
   const bool changes = locate(t, event.bead, other, whole);
   now_ = t;
-  ++marks_;
+  ++state_.marks;
   std::vector<Placed> placed;
-  for (const std::size_t id : whole) gather_cluster(id, t, placed);
+  for (const std::size_t id : whole) regrouping_.gather_cluster(id, t, placed);
   if (changes) {
-    const bool opens = touches(event.bead, other);
+    const bool opens = state_.touches(event.bead, other);
     if (!opens) close_contact(event.bead, other, t);
-    gather_near(other.is_wall() ? std::vector{event.bead} : std::vector{event.bead, other.bead}, t, placed);
+    regrouping_.gather_near(other.is_wall() ? std::vector{event.bead} : std::vector{event.bead, other.bead}, t, placed);
     if (opens) open_contact(event.bead, other, t);
   }
-  restart(placed, t);
-}
-
-/// Beads that touch one another are clusters, the others fly.
-template <class Real, class Ground>
-void LatticeEvents<Real, Ground>::restart(std::vector<Placed>& placed, const Real& t) {
-  // Clusters around that are over at the same time come along.
-  for (std::size_t k = 0; k < placed.size(); ++k)
-    for (const Neighbour<Real>& other : touching_[placed[k].bead])
-      if (!other.is_wall() && mark_[other.bead] != marks_ && until(other.bead) - t < Real(no_time) * longest_)
-        gather_cluster(std::size_t(beads_[other.bead].cluster), t, placed);
-  std::vector<Real> span_of;  // by slot
-  for (const Placed& p : placed) {
-    beads_[p.bead] = {p.q, p.v, t, -1, 0, beads_[p.bead].version + 1};
-    slot_[p.bead] = static_cast<std::uint32_t>(span_of.size());
-    span_of.push_back(p.span);
-    renew_list(p.bead, t);
-  }
-  std::vector<std::uint32_t> group;
-  constexpr std::int32_t found = -2;
-  for (const Placed& p : placed) {
-    if (beads_[p.bead].cluster != -1) continue;
-    if (touching_[p.bead].empty()) {
-      enqueue(leaves(p.bead, t), Kind::list, p.bead, {});
-      continue;
-    }
-    group.assign(1, p.bead);
-    beads_[p.bead].cluster = found;
-    Real span = never;
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      span = std::min(span, span_of[slot_[group[k]]]);
-      for (const Neighbour<Real>& other : touching_[group[k]])
-        if (!other.is_wall() && mark_[other.bead] == marks_ && beads_[other.bead].cluster == -1) {
-          beads_[other.bead].cluster = found;
-          group.push_back(other.bead);
-        }
-    }
-    restart_group(group, span, t);
-  }
-  for (const Placed& p : placed) predict_events(p.bead, t);
-}
-
-/// When the next step of clusters that are not whole has to end.
-template <class Real, class Ground>
-Real LatticeEvents<Real, Ground>::next_sync_time(const Real& t) const {
-  using std::floor;
-  return longest_ * (floor(Real(t / longest_ + Real(no_time))) + 1);
-}
-
-/// The next step of beads that touch each other.
-template <class Real, class Ground>
-void LatticeEvents<Real, Ground>::restart_group(std::span<const std::uint32_t> group, const Real& span, const Real& t) {
-  const std::size_t id = new_cluster(group.size());
-  Held& held = clusters_[id];
-  Cluster& cluster = *held.cluster;
-  for (const std::uint32_t i : group) cluster.add(i, beads_[i].q, beads_[i].v);
-  for (std::size_t place = 0; place < group.size(); ++place) {
-    beads_[group[place]].cluster = std::int32_t(id);
-    beads_[group[place]].place = slot_[group[place]] = static_cast<std::uint32_t>(place);
-  }
-  Real longest = neighbours_.leeway() / (4 * cluster.fastest());
-  std::vector<std::uint32_t> guests;
-  for (const std::uint32_t i : group)
-    for (const Neighbour<Real>& other : touching_[i]) {
-      if (other.is_wall()) {
-        cluster.add_contact(slot_[i], 0, other);
-      } else if (beads_[other.bead].cluster == std::int32_t(id)) {
-        if (i < other.bead) cluster.add_contact(slot_[i], slot_[other.bead], other);
-      } else {
-        if (std::ranges::find(guests, other.bead) == guests.end()) {
-          const Bead& guest = beads_[other.bead];
-          guests.push_back(other.bead);
-          const Cluster& home = *clusters_[std::size_t(guest.cluster)].cluster;
-          slot_[other.bead] = cluster.add_guest(other.bead, home.motion(guest.place));
-          longest = std::min(longest, Real(until(other.bead) - t));
-        }
-        cluster.add_contact(slot_[i], slot_[other.bead], other);
-      }
-    }
-  held.whole = guests.empty() && group.size() <= max_whole;
-  if (!held.whole) longest = std::min(longest, Real(next_sync_time(t) - t));
-  if (!held.whole || span < never) cluster.expect(held.whole ? span : longest);
-  ++held.version;
-  if (!cluster.step(t, longest)) step_underflow_ = true;
-  queue_.push({cluster.end(), Kind::step, 0, std::uint32_t(id), 0, held.version, 0});
-}
-
-/// Makes the list of a bead that has gone half its leeway or more anew.
-template <class Real, class Ground>
-void LatticeEvents<Real, Ground>::renew_list(std::size_t i, const Real& t) {
-  const Vec2<Real> q = at(i, t).q, gone = q - neighbours_.anchor(i);
-  if (4 * dot(gone, gone) > neighbours_.leeway() * neighbours_.leeway()) neighbours_.move(i, q);
+  regrouping_.restart(placed, t);
 }
 
 template <class Real, class Ground>
@@ -259,15 +170,16 @@ void LatticeEvents<Real, Ground>::handle(const Event& event) {
   switch (event.kind) {
     case Kind::gap: return change_gap(event);
     case Kind::step: {
-      ++marks_;
+      ++state_.marks;
       std::vector<Placed> placed;
-      gather_cluster(event.other, event.time, placed);
-      return restart(placed, event.time);
+      regrouping_.gather_cluster(event.other, event.time, placed);
+      return regrouping_.restart(placed, event.time);
     }
     case Kind::list: {  // meetings with those who were on the list before are known
-      for (const Neighbour<Real>& fresh : std::vector(neighbours_.move(event.bead, at(event.bead, event.time).q)))
-        predict_events(event.bead, fresh, event.time);
-      enqueue(leaves(event.bead, event.time), Kind::list, event.bead, {});
+      for (const Neighbour<Real>& fresh :
+           std::vector(state_.neighbours.move(event.bead, state_.at(event.bead, event.time).q)))
+        schedule_.predict_events(event.bead, fresh, event.time);
+      schedule_.predict_list(event.bead, event.time);
     }
   }
 }
@@ -276,25 +188,170 @@ void LatticeEvents<Real, Ground>::handle(const Event& event) {
 /// times would lose digits. All clusters there are are whole.
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::begin_anew(const Real& t) {
-  ++marks_;
-  work_ += beads_.size();
-  queue_ = {};
+  ++state_.marks;
+  work_ += state_.beads.size();
+  schedule_.clear();
   std::vector<Placed> placed;
-  for (std::size_t id = 0; id < clusters_.size(); ++id)
-    if (clusters_[id].in_use) gather_cluster(id, t, placed);
-  for (std::uint32_t i = 0; i < beads_.size(); ++i) {
-    if (mark_[i] == marks_) continue;
-    const BeadState<Real> state = at(i, t);
-    mark_[i] = marks_;
-    placed.push_back({i, state.q, state.v, never});
+  for (std::size_t id = 0; id < state_.clusters.size(); ++id)
+    if (state_.clusters[id].in_use) regrouping_.gather_cluster(id, t, placed);
+  for (std::uint32_t i = 0; i < state_.beads.size(); ++i) {
+    if (state_.is_marked(i)) continue;
+    const BeadState<Real> state = state_.at(i, t);
+    state_.mark[i] = state_.marks;
+    placed.push_back({i, state.q, state.v, State::never});
   }
   epoch_ += t;
   now_ = Real(0);
-  restart(placed, Real(0));
+  regrouping_.restart(placed, Real(0));
 }
 
-template class LatticeEvents<double>;
-template class LatticeEvents<long double>;
-template class LatticeEvents<double, Plate>;
+template <class Real, class Ground>
+Status LatticeEvents<Real, Ground>::why_stop() {
+  if (regrouping_.step_underflow()) return Status::non_finite;
+  const std::uint64_t work = std::exchange(work_, 1) + regrouping_.take_work();
+  all_work_ += work;
+  return stop_.why_stop(contacts_, all_work_, work);
+}
+
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::show_at(const Real& t, std::span<Vec2<double>> q, std::span<Vec2<double>> v) const {
+  for (std::size_t i = 0; i < state_.beads.size(); ++i) {
+    const BeadState<Real> state = state_.at(i, t);
+    q[i] = {double(state.q.x), double(state.q.z)};
+    v[i] = {double(state.v.x), double(state.v.z)};
+  }
+}
+
+template <class Real, class Ground>
+template <class Watcher>
+void LatticeEvents<Real, Ground>::show(Watcher& watcher, const Real& t) {
+  watcher.until(double(epoch_ + t), [this](double when, auto q, auto v) { show_at(Real(when) - epoch_, q, v); });
+}
+
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::handle_next() {
+  const Event event = schedule_.take_next();
+  now_ = std::max(now_, event.time);
+  handle(event);
+}
+
+template <class Real, class Ground>
+template <class Watcher>
+LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
+  constexpr double longest_clock = 64.0;
+  const Column<Real>& beads = state_.lattice.beads;
+  const Real quiet = state_.lattice.quiet_time(), budget = std::max(quiet, Real(creeping) * beads.tc);
+  begin_anew(Real(0));
+  LatticeOutcome<Real> outcome;
+  while (outcome.end == End::none && (outcome.status = why_stop()) == Status::ok) {
+    const Real t = schedule_.next_time();
+    if constexpr (Watcher::observes) {
+      show(watcher, t);
+      if (watcher.done()) break;
+    } else if (closed_ == 0 && quiet > 0 && epoch_ + t > last_touch_ + quiet) {
+      outcome.end = End::quiet;
+      break;
+    } else if (closed_ == 0 && quiet == Real(0) && contacts_ > 0) {
+      const Real change = energies_.later_change(approach(), now_);
+      if (change <= Real(stop_.settle())) {
+        outcome.remainder = change;
+        outcome.end = change == Real(0) ? End::separated : End::settled;
+      }
+    } else if (closed_ > 0 && epoch_ + now_ > last_change_ + budget) {
+      const Real change = energies_.later_change(held() + (quiet > 0 ? Real(0) : approach()), now_);
+      if (change <= Real(stop_.settle())) {
+        outcome.remainder = change;
+        outcome.end = End::settled;
+      }
+      last_change_ = epoch_ + now_;
+    }
+    if (schedule_.is_empty()) {
+      outcome.end = End::separated;
+    } else if (outcome.end == End::none) {
+      if (t > longest_clock * beads.tc && closed_ == 0 && schedule_.next_kind() == Kind::gap) {
+        begin_anew(t);
+        continue;
+      }
+      handle_next();
+    }
+  }
+  for (std::size_t i = 0; i < state_.beads.size(); ++i) outcome.velocity.push_back(state_.at(i, now_).v);
+  for (const auto& touching : state_.touching)
+    for (const Neighbour<Real>& other : touching)
+      if (other.bead == Neighbour<Real>::bottom) wall_opened_ = epoch_ + now_;  // it is still closed
+  outcome.t_k = wall_closed_ < 0 ? Real(0) : wall_opened_ - wall_closed_;
+  outcome.x_max = regrouping_.x_max();
+  outcome.contacts = contacts_;
+  outcome.contact_time = contact_time_;
+  if constexpr (!Watcher::observes)
+    if (outcome.end == End::quiet) note_ending_uncertainty(outcome);
+  return outcome;
+}
+
+/// What eps_eff would be if one of the waits had been the end; and, as the next contact is waited for half as long
+/// again, if that had not been.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::note_ending_uncertainty(LatticeOutcome<Real>& outcome) {
+  using std::fabs, std::sqrt;
+  const Real latest = last_touch_ + Real(1.5) * state_.lattice.quiet_time(), E = energies_.kinetic(now_);
+  outcome.waits = waits_;
+  for (auto& wait : outcome.waits.longest)
+    if (wait.length > 0) wait.change = fabs(Real(sqrt(wait.change) - sqrt(E))) / sqrt(energies_.energy_at_start());
+  const Real next_change = energies_.later_change(approach(), now_);
+  while (closed_ == 0 && why_stop() == Status::ok && epoch_ + schedule_.next_time() < latest) handle_next();
+  outcome.waits.note({(closed_ > 0 ? epoch_ + now_ : latest) - last_touch_, next_change});
+}
+
+template <class Real, class Ground>
+template <class Watcher>
+LatticeOutcome<Real> LatticeEvents<Real, Ground>::follow(Watcher& watcher) requires(Ground::moves) {
+  const Real period = state_.ground.period();
+  const auto show_until = [&](const Real& t) {
+    watcher.until(double(t), [this](double when, auto q, auto v) { show_at(Real(when), q, v); });
+  };
+  begin_anew(Real(0));
+  const double at_start = energies_.energy(Real(0));
+  LatticeOutcome<Real> outcome;
+  while (!watcher.done() && (outcome.status = why_stop()) == Status::ok) {
+    if (const Real t = schedule_.next_time(); t < period) {
+      show_until(t);
+      handle_next();
+      continue;
+    }
+    show_until(period);
+    count_contact_time(period);
+    begin_anew(period);
+    epoch_ = counted_to_ = Real(0);
+    watcher.end_period(energies_.energy(Real(0)) - at_start, regrouping_.plate_work().in,
+                       regrouping_.plate_work().lost);
+  }
+  if (outcome.status == Status::ok) outcome.end = End::periods;
+  outcome.x_max = regrouping_.x_max();
+  outcome.contacts = contacts_;
+  outcome.contact_time = contact_time_;
+  return outcome;
+}
+
+template <class Real>
+LatticeOutcome<Real> lattice_collision(const Lattice<Real>& lattice, double accuracy, const RunLimits& limits) {
+  NullObserver nobody;
+  return LatticeEvents<Real>(lattice, accuracy, limits).run(nobody);
+}
+template LatticeOutcome<double> lattice_collision(const Lattice<double>&, double, const RunLimits&);
+template LatticeOutcome<long double> lattice_collision(const Lattice<long double>&, double, const RunLimits&);
+
+void observe_lattice(const Lattice<double>& lattice, LatticeSamples& samples) {
+  LatticeEvents<double>(lattice, 1e-12, {}).run(samples);
+}
+
+template <class Watcher>
+LatticeOutcome<double> follow_lattice(const Lattice<double>& lattice, const Plate& plate, double accuracy,
+                                      const RunLimits& limits, Watcher& watcher) {
+  return LatticeEvents<double, Plate>(lattice, accuracy, limits, plate).follow(watcher);
+}
+template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, double, const RunLimits&,
+                                               LatticeStatistics&);
+template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, double, const RunLimits&,
+                                               VibratedLatticeSamples&);
 
 }  // namespace sigmasweep
