@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -22,7 +23,7 @@ namespace sigmasweep {
 /// step to step; whichever group or gap has the earliest event is next. Motions: the column's own, and linearised
 /// disturbances that are carried along.
 ///
-/// What moves a group is the Solver's, which derives from this:
+/// The Solver, which derives from this class, moves the groups. It must have (check_contract() refuses others):
 ///     std::unique_ptr<Group> new_group()              an empty one, with members lo, hi and start
 ///     void start_group(Group&)                        contacts lo..hi are its own from now on
 ///     void step_group(Group&)                         its next step
@@ -52,6 +53,7 @@ class ContactEvents {
         closed_(N_, 0),
         group_of_(N_, none),
         events_(N_) {
+    check_contract();
     for (Motion& motion : motion_) {
       motion.x.assign(N_, Real(0));
       motion.u.assign(N_, Real(0));
@@ -145,6 +147,50 @@ class ContactEvents {
   Real wall_opened_{}, x_max_{};
 
  private:
+  /// Refuses a Solver that lacks a function, with the function's name. Here, as these are private to Solver.
+  static void check_contract() {
+    static_assert(
+        requires(Solver & s) {
+          { s.new_group() } -> std::same_as<std::unique_ptr<Group>>;
+        },
+        "new_group()");
+    static_assert(
+        requires(Solver & s, Group & g) {
+          s.start_group(g);
+          s.step_group(g);
+        },
+        "start_group(), step_group()");
+    static_assert(
+        requires(Solver & s, const Group& g) {
+          { s.length_of(g) } -> std::convertible_to<Real>;
+        },
+        "length_of()");
+    static_assert(
+        requires(Solver & s, const Group& g) {
+          { s.event_of(g) } -> std::same_as<std::optional<std::size_t>>;
+        },
+        "event_of()");
+    static_assert(
+        requires(Solver & s, Group & g, const Real& t) { s.move_group(g, t, true); }, "move_group()");
+    static_assert(
+        requires(Solver & s, std::size_t k, const Real& t) {
+          s.advance_free(k, t);
+          s.change_contact(k, t);
+        },
+        "advance_free(), change_contact()");
+    static_assert(
+        requires(Solver & s, std::size_t k) {
+          { s.closes_in(k) } -> std::convertible_to<Real>;
+        },
+        "closes_in()");
+    static_assert(
+        requires(Group & g, const Real& t) {
+          g.lo = g.hi;
+          g.start = t;
+        },
+        "Group: lo, hi, start");
+  }
+
   Solver& solver() { return static_cast<Solver&>(*this); }
 
   void close_gap(std::size_t k, const Real& t) {

@@ -67,7 +67,22 @@ class GroundEvents<Solver, double, Group, 0, Plate> : public ContactEvents<Solve
   }
 
  protected:
-  GroundEvents(std::size_t contacts, const Plate& plate) : Events(contacts), ground_(plate) {}
+  GroundEvents(std::size_t contacts, const Plate& plate) : Events(contacts), ground_(plate) {
+    static_assert(
+        requires(Solver & s, Group & group, double t) {
+          { s.work_of(group, t) } -> std::same_as<PlateWork>;
+        },
+        "work_of()");
+    static_assert(
+        requires(Solver & s, double t, std::span<double> x) { s.state_at(t, x, x); }, "state_at()");
+    static_assert(
+        requires(Solver & s) {
+          { s.why_stop() } -> std::same_as<Status>;
+        },
+        "why_stop()");
+    static_assert(
+        requires(Solver & s) { s.column_; }, "column_");
+  }
 
   using Events::N_, Events::at_, Events::closed_, Events::group_of_, Events::epoch_, Events::events_;
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "assembly/column.hpp"
@@ -13,7 +14,7 @@
 #include "solve/exact/event_loop_on_ground.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/linear/pair_table.hpp"
-#include "solve/exact/linear/resting_cluster.hpp"
+#include "solve/exact/linear/resting_beads.hpp"
 #include "solve/exact/linear/step_lengths.hpp"
 #include "solve/exact/linear/taylor_group.hpp"
 #include "solve/observer/samples.hpp"
@@ -36,28 +37,21 @@ struct ExactGroup {
   Taylor taylor;
 };
 
-/// What a column on a plate knows besides; a fixed wall needs nothing of it.
-template <class Ground>
-struct OnGround {};
-template <>
-struct OnGround<Plate> {
-  std::vector<std::unique_ptr<RestingCluster>> clusters;  ///< of n beads at [n]
-  RestingCluster* resting = nullptr;                      ///< of the group that rests, if one does
-  int tries = 0, wait = 0;                                ///< steps until a group is again asked whether it rests
-};
+/// What a column above a fixed wall has instead of RestingBeads.
+struct NothingRests {};
 
-/// One collision under the linear law, from contact event to contact event (contact_events.hpp). A group of contacts is
-/// propagated by Taylor series, exact to rounding, a lone contact that nothing can disturb in one closed formula.
+/// A column under the linear law that moves from contact event to contact event (event_loop.hpp). A group of contacts
+/// is propagated by Taylor series, exact to rounding; a lone contact that nothing can disturb in one closed formula.
 ///
-/// Beside the column's own motion run `Tangents` linearised ones: what rounding puts into the state, drawn at
-/// random step by step and carried along by the same linear maps and by the jumps at the events. They measure how much
-/// of the rounding error survives to the end.
-///
-/// Order: of the Taylor series. Where it is low what they leave out takes the place of rounding.
+/// Tangents: number of linearised disturbances beside the column's own motion. Their source is the rounding of the
+/// state, drawn at random step by step; the same linear maps, and the jumps at the events, carry them along. They
+/// measure how much of the rounding error survives to the end. See docs/physics/error-bars.md.
 ///
 /// HasUnequalMasses: the beads have masses of their own (column.mass). Gaps that differ need no such feature.
 ///
-/// Ground: a fixed wall, or a plate that vibrates under gravity; what that needs is in exact_column_plate.cpp.
+/// Order: of the Taylor series. Where it is low the terms that they leave out take the place of rounding.
+///
+/// Ground: a fixed wall, or a plate that vibrates under gravity.
 template <class Real, int Tangents, bool HasUnequalMasses, int Order = TaylorOrder<Real>::value,
           class Ground = FixedWall>
 class ExactColumn
@@ -125,9 +119,8 @@ class ExactColumn
   void begin_taylor(Group& group);
   void drive(Group& group, Real& h) requires(Ground::moves);
   bool begin_rest(Group& group) requires(Ground::moves);
-  void move_resting(const Real& elapsed) requires(Ground::moves);
   PlateWork work_of(const Group& group, const Real& elapsed) const requires(Ground::moves);
-  Status why_stop() requires(Ground::moves);
+  Status why_stop() { return stop_.why_stop(contacts_, work_, 1 + closed_count_); }
   Balance balance() const;
   bool settled(std::uint64_t step);
   void state_at(const Real& t, std::span<Real> x, std::span<Real> u) const;
@@ -135,7 +128,7 @@ class ExactColumn
   Column<Real> column_;
   StopLogic stop_;
   SettleSchedule settle_schedule_;
-  [[no_unique_address]] OnGround<Ground> on_ground_;
+  [[no_unique_address]] std::conditional_t<Ground::moves, RestingBeads, NothingRests> resting_;
   ContactLaws<Real, HasUnequalMasses> laws_;
   StepLengths<Real, HasUnequalMasses> steps_;
   Noise noise_;

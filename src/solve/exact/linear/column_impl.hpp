@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include <boost/math/quadrature/gauss.hpp>
+
 #include "solve/exact/linear/column.hpp"
+#include "solve/exact/linear/load_series.hpp"
 
 /// Definitions of ExactColumn's members. Included by the sources that instantiate it only: column_double.cpp and so on,
 /// one a number type, so that they compile side by side.
@@ -72,9 +75,7 @@ Outcome<Real> ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::run(
       outcome.end = End::separated;
       break;
     }
-    outcome.status = !(t >= 0)            ? Status::non_finite
-                     : step >= step_limit ? Status::event_limit
-                                          : stop_.why_stop(contacts_, work_, 1 + closed_count_);
+    outcome.status = !(t >= 0) ? Status::non_finite : step >= step_limit ? Status::event_limit : why_stop();
     if (outcome.status != Status::ok) break;
     if (t > longest_clock && this->nothing_touches()) {
       this->begin_anew(t);
@@ -140,7 +141,10 @@ void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::move_group(Gr
                                                                               bool whole_step) {
   if constexpr (Ground::moves) {
     this->work_done_ += work_of(group, elapsed);
-    if (group.resting) return move_resting(elapsed);
+    if (group.resting) {
+      x_max_ = std::max(x_max_, resting_.cluster().deepest(elapsed));
+      return resting_.cluster().evaluate(elapsed, x_, u_);
+    }
   }
   if (group.binary)
     move_binary(group, elapsed, whole_step);
@@ -308,7 +312,7 @@ void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::state_at(cons
     const std::size_t n = group.hi - group.lo + 1, closed = group.contact;
     if constexpr (Ground::moves)
       if (group.resting) {
-        on_ground_.resting->evaluate(elapsed, x, u);
+        resting_.cluster().evaluate(elapsed, x, u);
         k = group.hi;
         continue;
       }
@@ -328,6 +332,67 @@ void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::state_at(cons
       u[k] = u_[k] + between * push.u;
     }
   }
+}
+
+/// A group that has the lowest bead is accelerated by the plate.
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::drive(Group& group,
+                                                                         Real& h) requires(Ground::moves) {
+  if (group.lo > 0) return group.taylor.drive({}, h);
+  h = std::min(h, taylor_reach / ground_.omega);
+  group.taylor.drive(load_series<Order - 1>(ground_, group.start, h), h);
+}
+
+/// A group of closed contacts from the plate on, with an open one above them or none, as far as it lies still.
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+bool ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::begin_rest(Group& group) requires(Ground::moves) {
+  if (group.lo > 0 || !(ground_.load(group.start) > 0)) return false;
+  std::size_t beads = 0;
+  while (beads <= group.hi && closed_[beads]) ++beads;
+  if (beads < group.hi || beads == 0 || beads > RestingBeads::max_beads(HasUnequalMasses)) return false;
+  if (resting_.waits()) return false;
+  const Real series_step = std::min(steps_.longest(group.lo, group.hi, closed_), taylor_reach / ground_.omega);
+  const Real length = resting_.begin(column_, ground_, beads, x_, u_, group.start, series_step);
+  if (!(length > 0)) return false;
+  work_ += beads;
+  group.length = length;
+  group.event = false;
+  return true;
+}
+
+/// int F_0 z0' dt and sum_k int C_k u_k^2 dt from the start of the group's step to `elapsed` later.
+template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
+PlateWork ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::work_of(const Group& group,
+                                                                                const Real& elapsed) const
+    requires(Ground::moves) {
+  if (group.resting) return resting_.cluster().work(elapsed);
+  PlateWork work;
+  if (group.binary) {
+    const std::size_t k = group.contact;
+    const auto power = [&](double t) {
+      const Real u = laws_.binary(k).after(t)(state(k)).u;
+      return laws_.dashpot(k) * u * u;
+    };
+    work.lost = boost::math::quadrature::gauss<double, 20>::integrate(power, 0.0, elapsed);
+    return work;
+  }
+  using Rule = boost::math::quadrature::gauss<double, 10>;  // a step's series has no more than 2 radians
+  const std::size_t n = group.hi - group.lo + 1;
+  std::vector<Real> x(n), u(n);
+  const auto add = [&](double place, double weight) {
+    const Real t = elapsed * 0.5 * (1.0 + place);
+    group.taylor.evaluate(0, t / group.taylor.step(), x, u);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = group.lo + i;
+      if (!closed_[k]) continue;
+      work.lost += weight * laws_.dashpot(k) * u[i] * u[i];
+      if (k == 0)
+        work.in += weight * (column_.spring(0) * x[0] + laws_.dashpot(0) * u[0]) * ground_.speed(group.start + t);
+    }
+  };
+  for (std::size_t j = 0; j < Rule::abscissa().size(); ++j)
+    for (const double sign : {-1.0, 1.0}) add(sign * Rule::abscissa()[j], 0.5 * elapsed * Rule::weights()[j]);
+  return work;
 }
 
 }  // namespace sigmasweep
