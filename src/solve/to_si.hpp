@@ -10,8 +10,8 @@
 
 namespace sigmasweep {
 
-/// What an outcome in reduced units, with the energies that its velocities mean, is for the tuple, but for
-/// eps_eff_error; where there is no result every number is NaN. AnyOutcome: of a column or a lattice.
+/// The tuple's result in SI units, without eps_eff_error, from an outcome in reduced units and the energies of its
+/// velocities. Where there is no result every number is NaN. AnyOutcome: of a column or a lattice.
 template <class AnyOutcome, class Real>
 SimulationResult in_si_with(const Energies<Real>& e, const AnyOutcome& outcome, const Parameters& parameters) {
   SimulationResult c;

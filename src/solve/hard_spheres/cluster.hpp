@@ -6,7 +6,7 @@
 
 namespace sigmasweep {
 
-/// Touching beads that would move on together if touching beads were perfectly inelastic.
+/// A set of touching beads that would move on together if their collisions were perfectly inelastic.
 struct Cluster {
   std::size_t first = 0;  ///< its lowest bead, 0 being the one (or the wall) below the lowest contact of the run
   std::size_t beads = 1;  ///< how many, a wall counted as one
@@ -24,15 +24,11 @@ struct Cluster {
 Cluster cluster_around(std::size_t k, std::span<const double> u, bool on_wall, std::span<const double> mass = {});
 
 /// Whether infinitely many collisions in no time will make the cluster of equal beads one, seen long before its speeds
-/// have vanished. A collision between contacts k takes (1+eps)/2 u_k off the momentum p_k that contact k has still to
-/// hand on, and leaves every other p alone; u_k = 2 p_k - p_(k-1) - p_(k+1). The cluster collapses unless some p_k
-/// falls below zero, which the next collision can only do if u_k > 2 p_k/(1+eps). So the answer is yes when
-/// - all closing speeds are below a quarter of every p_k, so that no wave runs any more, only diffusion, and
-/// - the column is more dissipative than the threshold of collapse, 1 - eps = 1 - tan^2(pi/4 (1 - 1/n)) for n beads on
-///   a wall (B. Bernu & R. Mazighi, J. Phys. A 23, 5745 (1990)), or 2n free ones, by a quarter, so that it stays so.
-/// Not a theorem: runs down to vanishing speeds agree in all of 3040 cases (N = 4..48, N(1-eps) = 0.5..9, both walls),
-/// and still do with one half in place of the first quarter. For unequal masses there is no such rule: with the
-/// threshold from their own matrix it was wrong for 1 of 100 columns.
+/// have vanished: when all closing speeds are below a quarter of the momenta still to be handed on, and the cluster is
+/// by a quarter more dissipative than the threshold of collapse,
+///     1 - eps = 1 - tan^2(pi/4 (1 - 1/n))
+/// for n beads on a wall (B. Bernu & R. Mazighi, J. Phys. A 23, 5745 (1990)), or 2n free ones. Why, and how far it was
+/// checked: docs/physics/hard-spheres.md.
 bool will_collapse(const Cluster& cluster, double eps);
 
 }  // namespace sigmasweep

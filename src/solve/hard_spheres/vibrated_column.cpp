@@ -257,7 +257,7 @@ void VibratedHardSpheres::join(std::size_t lowest, const Cluster& cluster) {
   ++collisions_;
 }
 
-/// NullObserver collides now. Who rests on the plate, and where does the contact above go?
+/// Nothing collides now. Which beads rest on the plate, and when is the contact above due?
 void VibratedHardSpheres::settle() {
   std::size_t beads = 0;
   if (rests(0) && plate_.holds(now_))

@@ -29,7 +29,7 @@ class VibratedSamples;
 /// and gravity drive.
 ///
 /// Bounces get ever shorter, infinitely many in finite time. Beads whose next bounces would all be over within 1e-8
-/// periods are at rest on the plate from now on, and those that collapse in flight (hard_spheres_column.hpp) go on as
+/// periods are at rest on the plate from now on, and those that collapse in flight (column.hpp) go on as
 /// touching beads.
 class VibratedHardSpheres {
  public:

@@ -27,13 +27,11 @@ Real smallest_overlap(const Lattice<Real>& lattice, double accuracy) {
   return least_overlap(lattice, accuracy) + lattice.rounding() * lattice.beads.speed * lattice.beads.tc;
 }
 
-/// Of slowest_, in least overlaps a tc.
+/// Speed below which beads meet too slowly to count (schedule.cpp), in least overlaps a tc.
 constexpr double slow = 1000.0;
 
-/// Between the ends of a step of length h motions are interpolated by quintics, whose velocities are off by up to
-/// 1.6e-4 omega (omega h)^5 of an amplitude, a tenth; the fastest mode of a triangular lattice has omega^2 = 6 K/m, and
-/// 3 (pi/tc)^2 for what collides in tc. News past the reach are much less: with k = 1.5 K/m they change velocities by
-/// k^3 h^7/7! of the jump of an acceleration.
+/// Time between sync times: short enough for the interpolation of motions, whose velocities are off by up to
+/// 1.6e-4 omega (omega h)^5 of an amplitude, at the fastest mode omega. See docs/physics/lattices.md.
 template <class Real>
 Real longest_step(const Lattice<Real>& lattice, double accuracy) {
   using std::sqrt;
@@ -79,7 +77,7 @@ void LatticeEvents<Real, Ground>::count_contact_time(const Real& t) {
   counted_to_ = epoch_ + t;
 }
 
-/// A time without contacts ends at t. Kinetic energies for now, see note_ending_uncertainty().
+/// A time without contacts ends at t. Wait::change holds the kinetic energy until note_ending_uncertainty().
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::note_wait(const Real& t) {
   const Real length = epoch_ + t - last_touch_;
@@ -184,8 +182,8 @@ void LatticeEvents<Real, Ground>::handle(const Event& event) {
   }
 }
 
-/// The clock starts: at the beginning, with a period of the plate, and where nothing touches after a long time, as
-/// times would lose digits. All clusters there are are whole.
+/// Sets the clock to 0: at the beginning, with each period of the plate, and where nothing touches after a long time,
+/// as times would lose digits. No cluster has guests then.
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::begin_anew(const Real& t) {
   ++state_.marks;
@@ -235,12 +233,32 @@ void LatticeEvents<Real, Ground>::handle_next() {
   handle(event);
 }
 
+/// Sets outcome.end if the collision is over before the next event, at time t.
+template <class Real, class Ground>
+void LatticeEvents<Real, Ground>::look_for_end(LatticeOutcome<Real>& outcome, const Real& t) {
+  const Real quiet = state_.lattice.quiet_time(), patience = std::max(quiet, Real(creeping) * state_.lattice.beads.tc);
+  if (closed_ == 0 && quiet > 0 && epoch_ + t > last_touch_ + quiet) {
+    outcome.end = End::quiet;
+  } else if (closed_ == 0 && quiet == Real(0) && contacts_ > 0) {
+    const Real change = energies_.later_change(approach(), now_);
+    if (change <= Real(stop_.settle())) {
+      outcome.remainder = change;
+      outcome.end = change == Real(0) ? End::separated : End::settled;
+    }
+  } else if (closed_ > 0 && epoch_ + now_ > last_change_ + patience) {
+    const Real change = energies_.later_change(held() + (quiet > 0 ? Real(0) : approach()), now_);
+    if (change <= Real(stop_.settle())) {
+      outcome.remainder = change;
+      outcome.end = End::settled;
+    }
+    last_change_ = epoch_ + now_;
+  }
+}
+
 template <class Real, class Ground>
 template <class Watcher>
 LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
   constexpr double longest_clock = 64.0;
-  const Column<Real>& beads = state_.lattice.beads;
-  const Real quiet = state_.lattice.quiet_time(), budget = std::max(quiet, Real(creeping) * beads.tc);
   begin_anew(Real(0));
   LatticeOutcome<Real> outcome;
   while (outcome.end == End::none && (outcome.status = why_stop()) == Status::ok) {
@@ -248,27 +266,14 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
     if constexpr (Watcher::observes) {
       show(watcher, t);
       if (watcher.done()) break;
-    } else if (closed_ == 0 && quiet > 0 && epoch_ + t > last_touch_ + quiet) {
-      outcome.end = End::quiet;
-      break;
-    } else if (closed_ == 0 && quiet == Real(0) && contacts_ > 0) {
-      const Real change = energies_.later_change(approach(), now_);
-      if (change <= Real(stop_.settle())) {
-        outcome.remainder = change;
-        outcome.end = change == Real(0) ? End::separated : End::settled;
-      }
-    } else if (closed_ > 0 && epoch_ + now_ > last_change_ + budget) {
-      const Real change = energies_.later_change(held() + (quiet > 0 ? Real(0) : approach()), now_);
-      if (change <= Real(stop_.settle())) {
-        outcome.remainder = change;
-        outcome.end = End::settled;
-      }
-      last_change_ = epoch_ + now_;
+    } else {
+      look_for_end(outcome, t);
+      if (outcome.end == End::quiet) break;
     }
     if (schedule_.is_empty()) {
       outcome.end = End::separated;
     } else if (outcome.end == End::none) {
-      if (t > longest_clock * beads.tc && closed_ == 0 && schedule_.next_kind() == Kind::gap) {
+      if (t > longest_clock * state_.lattice.beads.tc && closed_ == 0 && schedule_.next_kind() == Kind::gap) {
         begin_anew(t);
         continue;
       }
@@ -288,8 +293,8 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::run(Watcher& watcher) {
   return outcome;
 }
 
-/// What eps_eff would be if one of the waits had been the end; and, as the next contact is waited for half as long
-/// again, if that had not been.
+/// Notes by how much eps_eff would differ if one of the waits had been the end; and, as the next contact is waited for
+/// half as long again, if the present end had not been.
 template <class Real, class Ground>
 void LatticeEvents<Real, Ground>::note_ending_uncertainty(LatticeOutcome<Real>& outcome) {
   using std::fabs, std::sqrt;

@@ -33,6 +33,9 @@ class LatticeEvents {
   template <class Watcher>
   LatticeOutcome<Real> follow(Watcher& watcher) requires(Ground::moves);
 
+  LatticeEvents(const LatticeEvents&) = delete;  // its parts refer to each other
+  LatticeEvents& operator=(const LatticeEvents&) = delete;
+
  private:
   using State = LatticeState<Real, Ground>;
   using Event = LatticeEvent<Real>;
@@ -50,6 +53,7 @@ class LatticeEvents {
   void begin_anew(const Real& t);
   Real approach();
   Real held();
+  void look_for_end(LatticeOutcome<Real>& outcome, const Real& t);
   void note_ending_uncertainty(LatticeOutcome<Real>& outcome);
   Status why_stop();
   void show_at(const Real& t, std::span<Vec2<double>> q, std::span<Vec2<double>> v) const;

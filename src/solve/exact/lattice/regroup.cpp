@@ -6,7 +6,7 @@
 namespace sigmasweep {
 namespace {
 
-/// In contacts: how far from an event motions change at once.
+/// Distance from an event, in contacts, up to which motions change at once.
 template <class Ground>
 constexpr int reach = Ground::moves ? 1'000'000 : 2;
 /// Large clusters without beads that are kept.
@@ -17,8 +17,8 @@ constexpr double no_time = 1e-6;
 
 }  // namespace
 
-/// For a group of `count` beads. Large ones go round by themselves: small clusters need not their memory, and to ask
-/// for it anew at each beat takes longer than the beat.
+/// A cluster for a group of `count` beads. Large ones are kept apart: small clusters do not need their memory, and to
+/// allocate it anew at each sync time takes longer than the step.
 template <class Real, class Ground>
 std::size_t Regrouping<Real, Ground>::new_cluster(std::size_t count) {
   if (free_clusters_.empty()) {

@@ -15,13 +15,11 @@ namespace sigmasweep {
 /// Takes beads out of their clusters at an event and puts those that touch into new clusters, whose first steps it
 /// makes; beads in no contact fly from there on.
 ///
-/// Small groups of touching beads are one cluster, and moved exactly. Of a large group an event concerns only the beads
-/// near it at first: news travels from bead to bead, and what it does n beads away begins with the 2n-th power of the
-/// time. So the beads within `reach` contacts of the event become a cluster of their own, whose guests are the beads
-/// around it; all others keep the motions that are known of them. Their steps are short enough to let neither the news
-/// past the reach nor the interpolation of motions matter at the accuracy asked for. They all end at the same times
-/// (sync times), so that no cluster waits for the motions of its guests. So the work of an event does not grow with the
-/// group.
+/// Small groups of touching beads are one cluster, and moved exactly. In a large group an event restarts only the beads
+/// within `reach` contacts of it, as a cluster of their own, whose guests are the beads around; all others keep the
+/// motions that are known of them. So the work of an event does not grow with the group. Steps of such clusters all end
+/// at the same times (sync times), so that no cluster waits for the motions of its guests. Why that is accurate:
+/// docs/physics/lattices.md.
 template <class Real, class Ground>
 class Regrouping {
  public:

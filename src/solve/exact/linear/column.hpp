@@ -66,7 +66,7 @@ class ExactColumn
   /// The same, seen by a watcher (samples.hpp), and over with its last sample. Samples: double without disturbances.
   template <class Watcher>
   Outcome<Real> run(Watcher& watcher);
-  /// On a plate, instead of run(): ground_events.hpp.
+  /// On a plate, instead of run(): event_loop_on_ground.hpp.
   template <class Watcher>
   Outcome<Real> follow(Watcher& watcher) requires(Ground::moves) {
     return Events::follow(watcher);

@@ -14,9 +14,9 @@ namespace sigmasweep {
 /// closed. Then x'' + T (C x' + K x) = load(t) e_0, T = tridiag(-1/m_(k-1), 1/m_(k-1) + 1/m_k, -1/m_k), and the
 /// overlaps are
 ///     x(t) = x_static + Im(w e^(i omega t)) + sum_j V_j c_j e^(lambda_j t):
-/// what load(t) demands at every moment, and the 2n modes, which die out. Closed formulas for any time, however many
-/// contact times that is, and bounds that say how long no contact can open. Above is the open gap n, if n < N, into
-/// which the cluster pushes: x_n'' = F_(n-1)/m_(n-1).
+/// the answer to load(t), and the 2n modes, which die out. Closed formulas for any time, however many contact times
+/// away, and bounds that say how long no contact can open. Above the cluster is the open gap n, if n < N, into which it
+/// pushes: x_n'' = F_(n-1)/m_(n-1). See docs/physics/exact-linear.md.
 class RestingCluster {
  public:
   RestingCluster(const Column<double>& column, const Plate& plate, std::size_t n);

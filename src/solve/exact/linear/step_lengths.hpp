@@ -79,12 +79,9 @@ class StepLengths<Real, false> {
   std::array<Real, longest_chain + 1> free_{}, wall_{};
 };
 
-/// Beads with masses of their own. The overlaps x of a chain obey x'' = -A (K x + C x'), A = tridiag(-1/m_(k-1),
-/// 1/m_(k-1) + 1/m_k, -1/m_k), K and C diagonal and in general not proportional. Multiplied from the left with
-/// x^* A^-1 the mode x e^(st) gives a s^2 + c s + k = 0 with real a = x^* A^-1 x > 0, c = x^* C x, k = x^* K x >= 0: so
-///     |s|^2 = k/a <= the largest eigenvalue of A K          where the roots are complex,
-///     |s| <= c/a  <= the largest eigenvalue of A C          where they are real,
-/// and both eigenvalues are at most the largest sum of magnitudes in a row (Gershgorin).
+/// Beads with masses of their own: |s|^2 is at most the largest eigenvalue of A K, or |s| that of A C, with
+/// A = tridiag(-1/m_(k-1), 1/m_(k-1) + 1/m_k, -1/m_k). Both are at most the largest sum of magnitudes in a row
+/// (Gershgorin). Derivation: docs/physics/exact-linear.md.
 template <class Real>
 class StepLengths<Real, true> {
  public:

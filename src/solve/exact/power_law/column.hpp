@@ -27,7 +27,7 @@ struct NonlinearGroup {
   PowerLawGroup<Real, Ground> contacts;
 };
 
-/// One collision under a law that is not linear, from contact event to contact event (contact_events.hpp), in reduced
+/// One collision under a law that is not linear, from contact event to contact event (event_loop.hpp), in reduced
 /// units. Ground: a fixed wall, or a plate that vibrates under gravity.
 template <class Real, class Ground = FixedWall>
 class NonlinearColumn
@@ -38,7 +38,7 @@ class NonlinearColumn
   /// The same, seen by a watcher (samples.hpp), and over with its last sample. Samples: double.
   template <class Watcher>
   Outcome<Real> run(Watcher& watcher);
-  /// On a plate, instead of run(): ground_events.hpp.
+  /// On a plate, instead of run(): event_loop_on_ground.hpp.
   template <class Watcher>
   Outcome<Real> follow(Watcher& watcher) requires(Ground::moves) {
     return Events::follow(watcher);

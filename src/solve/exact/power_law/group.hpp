@@ -18,9 +18,8 @@ namespace sigmasweep {
 ///     x_k'' = F_(k-1)/m_(k-1) - F_k (1/m_(k-1) + 1/m_k) + F_(k+1)/m_k,  F of contact_force.hpp where k is closed.
 /// The independent variable of a step is the time or, while a contact (the leader) is near x = 0, its s = x^(1/q):
 ///     dt/ds = q s^(q-1)/u,  dx_j/ds = u_j dt/ds,  du_j/ds = a_j dt/ds,
-/// with q such that all powers of s in the leader's force are whole. In s the force is smooth through the closing and
-/// up to the opening, which is at s = 0 and need not be searched for. Other contacts that are near x = 0 at the same
-/// time are left to the control of the step length.
+/// with q such that all powers of s in the leader's force are whole: in s it is smooth. See
+/// docs/physics/exact-power-law.md.
 /// Ground: on a plate its load accelerates contact 0, and the works (PlateWork) are integrated along with the motion.
 template <class Real, class Ground = FixedWall>
 class PowerLawGroup {
