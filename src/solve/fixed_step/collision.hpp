@@ -3,7 +3,6 @@
 #include "sigmasweep/base/budget.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/model/result.hpp"
-#include "solve/outcome.hpp"
 
 /// What is used elsewhere: schemes of fixed time step that take no notice of where in a step a contact opens or closes.
 /// That kink of the force, not the order of the scheme, sets their error: it is of first order in dt, and erratic.
