@@ -24,10 +24,10 @@ constexpr double collapsed = 1e-15;
 }  // namespace
 
 VibratedHardSpheres::VibratedHardSpheres(const Column<double>& column, const Plate& plate, const Settings& settings,
-                                         ComputeBudget* budget)
+                                         const RunLimits& limits)
     : plate_(plate),
       settings_(settings),
-      stop_({.event_limit = collision_limit, .budget = budget}, 0, std::numeric_limits<std::uint64_t>::max()),
+      stop_(limits, 20'000'000'000, std::numeric_limits<std::uint64_t>::max()),
       period_(plate.period()),
       e_(column.eps),
       e_wall_(column.eps_wall),
@@ -50,7 +50,7 @@ VibratedHardSpheres::VibratedHardSpheres(const Column<double>& column, const Pla
 }
 
 bool VibratedHardSpheres::gives_up() {
-  const bool is_stuck = collisions_ - period_began_ >= period_limit;
+  const bool is_stuck = collisions_ - period_began_ >= settings_.period_limit;
   const Status stop = is_stuck ? Status::event_limit : stop_.why_stop(collisions_, 0, 1);
   if (stop == Status::ok) return false;
   status_ = stop;
@@ -293,7 +293,7 @@ namespace {
 
 VibratedHardSpheres spheres_of(const Parameters& p, const Column<double>& column, ComputeBudget* budget) {
   const VibrationUnits units = vibration_units(p);
-  return {column, Plate::of(p, units), {.rule = p.ed_rule, .tc = p.tc / units.time}, budget};
+  return {column, Plate::of(p, units), {.rule = p.ed_rule, .tc = p.tc / units.time}, {.budget = budget}};
 }
 
 Column<double> column_of(const Parameters& p) {

@@ -35,11 +35,13 @@ class VibratedHardSpheres {
  public:
   struct Settings {
     EdRule rule = EdRule::lrv;
-    double tc = 0.0;  ///< of EdRule::tc
+    double tc = 0.0;                          ///< of EdRule::tc
+    std::uint64_t period_limit = 20'000'000;  ///< collisions in a period before giving up
   };
 
+  /// Limit of its own: 2e10 collisions.
   VibratedHardSpheres(const Column<double>& column, const Plate& plate, const Settings& settings,
-                      ComputeBudget* budget);
+                      const RunLimits& limits = {});
 
   /// Until the watcher has seen enough (vibration_statistics.hpp says what one is), or status() says why not.
   template <class Watcher>
@@ -83,8 +85,6 @@ class VibratedHardSpheres {
   };
 
   bool gives_up();
-  /// Collisions in a period, and in all.
-  static constexpr std::uint64_t period_limit = 20'000'000, collision_limit = 20'000'000'000;
   void advance(double time);
   void begin_period();
   double energy() const;

@@ -216,7 +216,7 @@ TEST(Extremes, TcModelBouncesOnUntilTheLimit) {
 
 TEST(GivingUp, IsAStatus) {
   Film film{.N = 3, .alpha = 3.0, .periods = 20};
-  VibratedHardSpheres few(column({0.1, 0.2, 0.3}, 0.9, 0.9), Plate{1.0, 3.0, 1.0}, {.limit = 10});
+  VibratedHardSpheres few(column({0.1, 0.2, 0.3}, 0.9, 0.9), Plate{1.0, 3.0, 1.0}, {}, {.event_limit = 10});
   few.run(film);
   EXPECT_EQ(few.status(), Status::event_limit);
   EXPECT_EQ(few.collisions(), 10u);
