@@ -5,6 +5,7 @@
 #include "assembly/column.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/parameters.hpp"
+#include "solve/outcome.hpp"
 
 /// Columns of soft spheres as tests want them.
 namespace sigmasweep {
