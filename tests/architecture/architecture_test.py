@@ -23,9 +23,6 @@ FUNCTIONS_ELSEWHERE = {
     "src/solve/exact/lattice/vibrated.hpp",
     "src/store/build_info.hpp",
     "src/store/table/table.hpp",
-    "src/studies/precision/measure.hpp",
-    "src/studies/precision/subject.hpp",
-    "src/studies/stability/map_text_and_plot.hpp",
     "src/sweep/spec/tables.hpp",
 }
 ASK_FOR_THE_GEOMETRY = {
@@ -40,9 +37,7 @@ ASK_FOR_THE_GEOMETRY = {
     "src/solve/fixed_step/collision.cpp",
     "src/solve/fixed_step/stability.cpp",
     "src/store/h5md.cpp",
-    "src/studies/precision/measure.cpp",
-    "src/studies/precision/plot.cpp",
-    "src/studies/precision/vibrated.cpp",
+    "src/studies/precision/cases/scene_kind.cpp",
     "src/sweep/spec/axis.cpp",
     "src/sweep/spec/check.cpp",
     "src/sweep/spec/trajectory.cpp",

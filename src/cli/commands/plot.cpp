@@ -8,10 +8,11 @@
 #include "plot/named.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/plot/plot.hpp"
-#include "studies/precision/measure.hpp"
 #include "studies/precision/pictures.hpp"
+#include "studies/precision/plot.hpp"
 #include "studies/precision/table.hpp"
-#include "studies/stability/map_text_and_plot.hpp"
+#include "studies/stability/map.hpp"
+#include "studies/stability/plot.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -24,6 +24,7 @@
 #include "studies/precision/measure.hpp"
 #include "studies/precision/pictures.hpp"
 #include "studies/precision/table.hpp"
+#include "studies/precision/text.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -4,23 +4,17 @@
 #include <cmath>
 
 #include "base/thread_clock.hpp"
-#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/solve/cost.hpp"
+#include "studies/precision/cases/scene_kind.hpp"
 #include "studies/precision/references.hpp"
 
 namespace sigmasweep {
-
 namespace {
 
-PrecisionCase subject_of(const Parameters& scene, const PrecisionSpec& spec) {
-  if (is_vibrated(scene)) return vibrated_subject(scene, spec);
-  return is_lattice(scene) ? lattice_subject(scene, spec) : column_subject(scene, spec);
-}
-
-/// One integrator at one setting, with what is known of it so far.
+/// One integrator at one setting, with the measurements so far.
 struct Setting {
   PrecisionRow row;
-  std::vector<PreparedRun> trials;
+  std::vector<PreparedRun> runs;
   double errors_took = 0.0;  ///< CPU time of the first round, s
   bool is_exact() const { return row.parameters.integrator == Integrator::exact; }
 };
@@ -34,10 +28,10 @@ Parameters with_setting(Parameters p, Integrator integrator, double value) {
   return p;
 }
 
-/// The exact solver of what vibrates has no tolerance: it is one setting, NaN.
+/// The values of the integrator's setting. An exact solver without a tolerance has one setting, NaN.
 std::vector<double> values_of(const Parameters& scene, Integrator integrator, const PrecisionSpec& spec) {
   if (integrator != Integrator::exact) return spec.steps_per_tc;
-  return is_vibrated(scene) ? std::vector{PrecisionRow::nan} : spec.tolerances;
+  return scene_kind(scene).exact_has_tolerance ? spec.tolerances : std::vector{PrecisionRow::nan};
 }
 
 std::vector<Setting> settings_of(const Parameters& scene, std::uint64_t number, const PrecisionSpec& spec) {
@@ -52,9 +46,9 @@ std::vector<Setting> settings_of(const Parameters& scene, std::uint64_t number, 
   return settings;
 }
 
-/// Of the solver alone: what a sweep adds to fixed steps of what flies is the exact solution.
+/// Predicted CPU time of the integrator alone, without the exact solution that a sweep adds to fixed steps; s.
 double predicted_alone(const Parameters& p) {
-  if (p.integrator == Integrator::exact || is_vibrated(p)) return predicted_time(p);
+  if (p.integrator == Integrator::exact || !scene_kind(p).fixed_steps_have_reference) return predicted_time(p);
   Parameters exact = p;
   exact.integrator = Integrator::exact;
   return predicted_time(p) - predicted_time(exact);
@@ -69,12 +63,12 @@ double quantile(std::vector<double>& sorted, double q) {
 /// Errors of the tuples that have a result.
 class Errors {
  public:
-  void add(double value, const std::vector<double>& velocity, const ReferenceValue& answer) {
-    error_.push_back(static_cast<double>(std::fabs(value - answer.value)));
+  void add(double value, const std::vector<double>& velocity, const ReferenceValue& reference) {
+    error_.push_back(static_cast<double>(std::fabs(value - reference.value)));
     if (velocity.empty()) return;
     double worst = 0.0;
     for (std::size_t i = 0; i < velocity.size(); ++i)
-      worst = std::max(worst, std::fabs(velocity[i] - answer.velocity[i]));
+      worst = std::max(worst, std::fabs(velocity[i] - reference.velocity[i]));
     velocity_.push_back(worst);
   }
   void summarise(PrecisionRow& row) {
@@ -94,30 +88,30 @@ class Errors {
 
 void leave_out(Setting& setting) {
   setting.row.tuples = setting.row.failures = 0;
-  setting.trials.clear();
+  setting.runs.clear();
 }
 
-void measure_errors(Setting& setting, const PrecisionCase& subject, const References& references,
+void measure_errors(Setting& setting, const PrecisionCase& measured, const References& references,
                     const PrecisionSpec& spec) {
   PrecisionRow& row = setting.row;
   Errors errors;
   double evaluations = 0.0;
-  const bool only_phases = subject.tuples.size() == 1 && !setting.is_exact() && references.usable(0);
-  const std::size_t count = only_phases ? spec.tuples : references.answers.size();
+  const bool only_phases = measured.tuples.size() == 1 && !setting.is_exact() && references.usable(0);
+  const std::size_t count = only_phases ? spec.tuples : references.values.size();
   for (std::size_t k = 0; k < count && (k == 0 || setting.errors_took < spec.seconds); ++k) {
     if (k == 1 && setting.errors_took > spec.longest) return leave_out(setting);
-    const std::size_t which = std::min(k, subject.tuples.size() - 1);
-    const Parameters p = with_setting(subject.tuples[which], row.parameters.integrator, row.setting);
-    const PreparedRun& trial = setting.trials.emplace_back(subject.trial(p, chance(spec, "phase", k)));
+    const std::size_t which = std::min(k, measured.tuples.size() - 1);
+    const Parameters p = with_setting(measured.tuples[which], row.parameters.integrator, row.setting);
+    const PreparedRun& prepared = setting.runs.emplace_back(measured.prepare(p, chance(spec, "phase", k)));
     const double start = thread_seconds();
-    const Measurement found = trial.run();
+    const Measurement found = prepared.run();
     setting.errors_took += thread_seconds() - start;
     evaluations += found.evaluations;
     ++row.tuples;
     if (found.failed)
       ++row.failures;
     else if (references.usable(which))
-      errors.add(found.value, trial.velocity ? trial.velocity() : found.velocity, references.answers[which]);
+      errors.add(found.value, prepared.velocity ? prepared.velocity() : found.velocity, references.values[which]);
   }
   errors.summarise(row);
   row.evaluations = evaluations / static_cast<double>(row.tuples);
@@ -127,14 +121,14 @@ void measure_errors(Setting& setting, const PrecisionCase& subject, const Refere
 double time_once(const Setting& setting) {
   const double start = thread_seconds();
   double sum = 0.0;
-  for (const PreparedRun& trial : setting.trials) sum += trial.run().value;
+  for (const PreparedRun& prepared : setting.runs) sum += prepared.run().value;
   const double took = thread_seconds() - start;
   [[maybe_unused]] volatile double keep = sum;  // or the compiler might leave it all out
   return took;
 }
 
-/// Round robin, so that what disturbs the machine hits all settings alike. The round for the errors was the warm-up;
-/// where it was too long to be repeated, it also was the measurement.
+/// Times all settings in turn, so that a disturbance of the machine hits them alike. The round for the errors was the
+/// warm-up; where it was too long to be repeated, it was the measurement as well.
 void measure_times(std::vector<Setting>& settings, const PrecisionSpec& spec) {
   for (Setting& s : settings)
     if (s.errors_took > spec.repeat_seconds) s.row.run_time = s.errors_took / static_cast<double>(s.row.tuples);
@@ -149,20 +143,20 @@ void measure_times(std::vector<Setting>& settings, const PrecisionSpec& spec) {
 
 }  // namespace
 
-std::string_view precision_quantity(const Parameters& p) { return is_vibrated(p) ? "h_cm/A0" : "eps_eff"; }
+std::string_view precision_quantity(const Parameters& p) { return scene_kind(p).quantity; }
 
 std::vector<PrecisionRow> measure_precision(const Parameters& scene, std::uint64_t number, const PrecisionSpec& spec) {
-  const PrecisionCase subject = subject_of(scene, spec);
-  const References references = find_references(subject, spec);
+  const PrecisionCase measured = scene_kind(scene).make(scene, spec);
+  const References references = find_references(measured, spec);
   std::vector<Setting> settings = settings_of(scene, number, spec);
   for (Setting& setting : settings) {
     PrecisionRow& row = setting.row;
-    row.references = references.answers.size();
+    row.references = references.values.size();
     row.checks = references.checks;
     row.chaotic = references.chaotic;
     row.noise = references.noise;
-    row.independent = subject.independent;
-    if (predicted_alone(row.parameters) <= too_long * spec.longest) measure_errors(setting, subject, references, spec);
+    row.independent = measured.independent;
+    if (predicted_alone(row.parameters) <= too_long * spec.longest) measure_errors(setting, measured, references, spec);
   }
   measure_times(settings, spec);
   std::vector<PrecisionRow> rows;

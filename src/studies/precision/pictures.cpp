@@ -10,7 +10,7 @@
 #include "plot/named.hpp"
 #include "plot/row_choice.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "studies/precision/measure.hpp"
+#include "studies/precision/plot.hpp"
 #include "studies/precision/table.hpp"
 
 namespace sigmasweep {

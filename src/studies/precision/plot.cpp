@@ -1,3 +1,5 @@
+#include "studies/precision/plot.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +14,6 @@
 #include "plot/palette.hpp"
 #include "plot/range.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "studies/precision/measure.hpp"
 
@@ -173,7 +174,8 @@ void plot_precision(std::span<const PrecisionRow> rows, std::span<const std::str
         fmt::format("plot: {} scenes, but at most {} find room on a picture: choose with 'where' in "
                     "[plot]",
                     panels.size(), max_precision_panels));
-  const auto vibrated = std::ranges::count_if(rows, [](const PrecisionRow& r) { return is_vibrated(r.parameters); });
+  const auto vibrated =
+      std::ranges::count_if(rows, [](const PrecisionRow& r) { return precision_quantity(r.parameters) == "h_cm/A0"; });
   const std::string both = fmt::format("{} (vibrated: {})", eps_eff, height);
   draw(panels, vibrated == 0 ? eps_eff : vibrated == std::ssize(rows) ? height : both, title, path);
 }

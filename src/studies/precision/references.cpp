@@ -8,7 +8,7 @@
 namespace sigmasweep {
 namespace {
 
-/// References that differ by more than this are no references.
+/// Where the two references differ by more than this, the tuple is chaotic.
 constexpr double chaos = 1e-9;
 
 }  // namespace
@@ -19,25 +19,25 @@ bool References::worth_going_on(std::uint64_t max_checks) const {
   return chaotic == 0 || (checks < max_checks && (chaotic < checks || checks < few));
 }
 
-References find_references(const PrecisionCase& subject, const PrecisionSpec& spec) {
+References find_references(const PrecisionCase& scene, const PrecisionSpec& spec) {
   References found;
   const double start = thread_seconds();
-  for (std::size_t k = 0; k < subject.tuples.size() && found.worth_going_on(spec.checks); ++k) {
+  for (std::size_t k = 0; k < scene.tuples.size() && found.worth_going_on(spec.checks); ++k) {
     if (k > 0 && thread_seconds() - start > spec.seconds) break;
-    ReferenceValue answer = subject.reference(subject.tuples[k]);
+    ReferenceValue value = scene.reference(scene.tuples[k]);
     bool agree = false;
     if (k < spec.checks) {
-      ReferenceValue other = subject.check(subject.tuples[k]);
+      ReferenceValue other = scene.check(scene.tuples[k]);
       ++found.checks;
-      const auto difference = static_cast<double>(std::fabs(other.value - answer.value));
-      agree = other.known && answer.known && difference <= chaos;
+      const auto difference = static_cast<double>(std::fabs(other.value - value.value));
+      agree = other.known && value.known && difference <= chaos;
       if (!agree)
         ++found.chaotic;
       else if (!(found.noise >= difference))
         found.noise = difference;
-      if (agree && subject.check_is_better) answer = std::move(other);
+      if (agree && scene.check_is_better) value = std::move(other);
     }
-    found.answers.push_back(std::move(answer));
+    found.values.push_back(std::move(value));
     found.agreed.push_back(agree);
   }
   return found;

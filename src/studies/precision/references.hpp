@@ -2,23 +2,23 @@
 
 #include <vector>
 
-#include "studies/precision/subject.hpp"
+#include "studies/precision/cases/precision_case.hpp"
 
-/// What the integrators of a precision study are compared with.
+/// The references with which a precision study compares the integrators.
 namespace sigmasweep {
 
-/// The better one of the two references, and how well the other one agrees.
+/// The references of a case: of each tuple the better one of two, and how well the other one agrees.
 struct References {
-  std::vector<ReferenceValue> answers;  ///< of the first tuples, as many as there was time for
-  std::vector<bool> agreed;             ///< both were computed, and agree
+  std::vector<ReferenceValue> values;  ///< of the first tuples, as many as there was time for
+  std::vector<bool> agreed;            ///< both were computed, and agree
   std::uint64_t checks = 0, chaotic = 0;
   double noise = PrecisionRow::nan;  ///< largest difference of the values where they agree
-  /// Whether tuple k can be compared with its answer.
-  bool usable(std::size_t k) const { return k < answers.size() && answers[k].known && (chaotic == 0 || agreed[k]); }
-  /// Whether more of them would be of use, of which the first `max_checks` have both.
+  /// Whether tuple k can be compared with its reference.
+  bool usable(std::size_t k) const { return k < values.size() && values[k].known && (chaotic == 0 || agreed[k]); }
+  /// Whether references of further tuples would be of use. The first `max_checks` tuples have both.
   bool worth_going_on(std::uint64_t max_checks) const;
 };
 
-References find_references(const PrecisionCase& subject, const PrecisionSpec& spec);
+References find_references(const PrecisionCase& scene, const PrecisionSpec& spec);
 
 }  // namespace sigmasweep

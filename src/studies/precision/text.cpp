@@ -1,3 +1,5 @@
+#include "studies/precision/text.hpp"
+
 #include <fmt/format.h>
 
 #include "sigmasweep/model/fields.hpp"

@@ -10,7 +10,9 @@
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
-#include "studies/stability/map_text_and_plot.hpp"
+#include "studies/stability/map.hpp"
+#include "studies/stability/plot.hpp"
+#include "studies/stability/text.hpp"
 
 namespace sigmasweep {
 namespace {

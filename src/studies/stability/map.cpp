@@ -13,7 +13,6 @@
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "solve/fixed_step/stability.hpp"
-#include "studies/stability/map_text_and_plot.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -21,7 +20,7 @@ namespace {
 constexpr double good = 0.01, fair = 0.1;
 constexpr int between = 4;  ///< limits from one y to the next, where they are cheap
 
-/// What vibrates has no error but the imbalance of its energy.
+/// Where a plate vibrates the error is the imbalance of energy.
 Observed observed(const SimulationResult& c) {
   if (c.status == Status::unstable) return Observed::unstable;
   const double error = c.eps_eff == c.eps_eff ? c.eps_eff_error : std::fabs(c.vibration.imbalance);
@@ -29,7 +28,7 @@ Observed observed(const SimulationResult& c) {
   return error < good ? Observed::good : error < fair ? Observed::fair : Observed::wrong;
 }
 
-/// The fewest steps a tc from which on, to shorter and shorter steps, the scheme is stable.
+/// The smallest tc/dt above which the scheme is stable.
 double fewest_steps(const Parameters& p) {
   constexpr double most = 1e6, factor = 1.2;
   const ClosedContacts closed = closed_contacts(p);

@@ -7,10 +7,11 @@
 #include "sigmasweep/model/row.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
-/// What a stability study shows, before it is text or picture.
+/// The maps of a stability study, which text and picture show: where the schemes of fixed step are stable by theory
+/// (solve/fixed_step/stability.hpp), and by the rows of a table.
 namespace sigmasweep {
 
-/// How a row came out: |error of eps_eff| below 1 %, below 10 %, above; unstable; or no result for other reasons.
+/// How a row ended: |error of eps_eff| below 1 %, below 10 %, above; unstable; or no result for other reasons.
 enum class Observed { good, fair, wrong, unstable, nothing };
 
 struct StabilityCell {
@@ -22,7 +23,7 @@ struct StabilityCell {
 
 struct StabilityLimit {
   double y = 0.0;
-  double steps = 0.0;  ///< the fewest a tc that theory allows
+  double steps = 0.0;  ///< the smallest tc/dt that theory allows
 };
 
 struct StabilityMap {
@@ -36,7 +37,10 @@ struct StabilityMap {
 std::vector<StabilityMap> stability_maps(std::span<const Row> rows, const PlotSpec& plot,
                                          std::span<const std::string> axes);
 
-/// The parameter plot.y names. Throws UsageError for anything else.
+/// The first map among a spec's plots, or one with defaults.
+PlotSpec stability_plot(std::span<const PlotSpec> plots);
+
+/// The parameter that plot.y names. Throws UsageError for anything else.
 const Field& stability_axis(const PlotSpec& plot);
 
 }  // namespace sigmasweep

@@ -1,3 +1,5 @@
+#include "studies/stability/plot.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include "plot/range.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "studies/stability/map.hpp"
-#include "studies/stability/map_text_and_plot.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -1,9 +1,10 @@
+#include "studies/stability/text.hpp"
+
 #include <fmt/format.h>
 
 #include <map>
 
 #include "studies/stability/map.hpp"
-#include "studies/stability/map_text_and_plot.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -11,6 +11,7 @@
 #include "sigmasweep/contact/calibration.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "solve/fixed_step/column/collision.hpp"
+#include "studies/precision/text.hpp"
 #include "support/soft_column.hpp"
 
 namespace sigmasweep {

@@ -1,3 +1,5 @@
+#include "studies/precision/cases/column.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -10,41 +12,39 @@
 #include "solve/fixed_step/column/collision.hpp"
 #include "solve/fixed_step/scheme_info.hpp"
 #include "solve/reference/normal_modes.hpp"
-#include "studies/precision/subject.hpp"
 
-/// Columns that fly into a wall.
 namespace sigmasweep {
 namespace {
 
 constexpr double settle = 1e-19;
-/// About ten seconds of each: what takes longer is chaotic, and no reference.
+/// About ten seconds of each: a tuple that takes longer is chaotic, and has no reference.
 constexpr std::uint64_t max_contacts_moved = 10'000'000, max_modes = 300'000'000;
 
 template <class Real>
-ReferenceValue answer(const Outcome<Real>& outcome, const Column<Real>& column) {
-  ReferenceValue a;
-  a.known = outcome.status == Status::ok;
-  if (!a.known) return a;
-  a.value = static_cast<long double>(energies<Real>(outcome.velocity, column.speed, column.mass).eps_eff);
-  for (const Real& v : outcome.velocity) a.velocity.push_back(static_cast<double>(v / column.speed));
-  return a;
+ReferenceValue reference_value(const Outcome<Real>& outcome, const Column<Real>& column) {
+  ReferenceValue result;
+  result.known = outcome.status == Status::ok;
+  if (!result.known) return result;
+  result.value = static_cast<long double>(energies<Real>(outcome.velocity, column.speed, column.mass).eps_eff);
+  for (const Real& v : outcome.velocity) result.velocity.push_back(static_cast<double>(v / column.speed));
+  return result;
 }
 
 template <class Real>
 ReferenceValue by_series(const Parameters& p) {
   const Column<Real> column = reduced_column<Real>(p);
-  return answer<Real>(exact_collision(column, {.settle = settle, .work_limit = max_contacts_moved}), column);
+  return reference_value<Real>(exact_collision(column, {.settle = settle, .work_limit = max_contacts_moved}), column);
 }
 
 ReferenceValue by_modes(const Parameters& p) {
   const auto column = reduced_column<long double>(p);
-  return answer(normal_modes_collision(column, {.settle = settle, .work_limit = max_modes}), column);
+  return reference_value(normal_modes_collision(column, {.settle = settle, .work_limit = max_modes}), column);
 }
 
 Reference by_steps(double accuracy) {
   return [accuracy](const Parameters& p) {
     const auto column = reduced_column<long double>(p);
-    return answer(nonlinear_collision(column, accuracy, {.settle = settle}), column);
+    return reference_value(nonlinear_collision(column, accuracy, {.settle = settle}), column);
   };
 }
 
@@ -57,7 +57,7 @@ std::vector<double> exact_velocities(const Parameters& p) {
   return nonlinear_collision(column, std::max(1e-3 * p.tolerance, 1e-15), {.settle = left}).velocity;
 }
 
-PreparedRun exact_trial(const Parameters& p) {
+PreparedRun exact_run(const Parameters& p) {
   const auto run = [p] {
     const SimulationResult c = simulate(p);
     return Measurement{.failed = !is_success(c.status), .value = c.eps_eff, .velocity = {}};
@@ -65,8 +65,8 @@ PreparedRun exact_trial(const Parameters& p) {
   return {run, [p] { return exact_velocities(p); }};
 }
 
-/// The wall is further away by a part of what the column flies in a step.
-PreparedRun fixed_step_trial(const Parameters& p, double phase) {
+/// The wall is further away by a fraction `phase` of the distance that the column flies in a step.
+PreparedRun fixed_step_run(const Parameters& p, double phase) {
   const double dt = 1.0 / p.steps_per_tc;
   const auto column = std::make_shared<Column<double>>(reduced_column<double>(p));
   if (column->gaps.empty()) column->gaps.assign(column->contacts(), column->gap);
@@ -84,7 +84,7 @@ PreparedRun fixed_step_trial(const Parameters& p, double phase) {
 
 }  // namespace
 
-PrecisionCase column_subject(const Parameters& scene, const PrecisionSpec& spec) {
+PrecisionCase column_case(const Parameters& scene, const PrecisionSpec& spec) {
   PrecisionCase column{
       .tuples = with_other_sigmas(scene, spec), .reference = by_series<long double>, .check = by_modes};
   column.independent = true;
@@ -97,8 +97,8 @@ PrecisionCase column_subject(const Parameters& scene, const PrecisionSpec& spec)
     column.check_is_better = true;
     column.independent = false;
   }
-  column.trial = [](const Parameters& p, double phase) {
-    return p.integrator == Integrator::exact ? exact_trial(p) : fixed_step_trial(p, phase);
+  column.prepare = [](const Parameters& p, double phase) {
+    return p.integrator == Integrator::exact ? exact_run(p) : fixed_step_run(p, phase);
   };
   return column;
 }

@@ -1,11 +1,11 @@
-#include "studies/precision/subject.hpp"
+#include "studies/precision/cases/precision_case.hpp"
 
 #include "base/random.hpp"
 
 namespace sigmasweep {
 
-double chance(const PrecisionSpec& spec, const char* what, std::uint64_t k) {
-  return unit_interval(random_bits(stream_key(spec.seed, what), k));
+double chance(const PrecisionSpec& spec, const char* purpose, std::uint64_t k) {
+  return unit_interval(random_bits(stream_key(spec.seed, purpose), k));
 }
 
 std::vector<Parameters> with_other_sigmas(const Parameters& scene, const PrecisionSpec& spec) {

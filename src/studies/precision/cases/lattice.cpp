@@ -1,3 +1,5 @@
+#include "studies/precision/cases/lattice.hpp"
+
 #include <algorithm>
 #include <memory>
 
@@ -6,13 +8,11 @@
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/lattice/collision.hpp"
 #include "solve/fixed_step/lattice/collision.hpp"
-#include "studies/precision/subject.hpp"
 
-/// Lattices that fly into a wall.
 namespace sigmasweep {
 namespace {
 
-/// Half a minute of beads and contacts moved in stages of steps: what takes longer is no reference.
+/// Half a minute of beads and contacts moved in stages of steps: a tuple that takes longer has no reference.
 constexpr std::uint64_t max_work = 200'000'000;
 
 template <class Real>
@@ -36,14 +36,14 @@ Reference by_steps(double accuracy) {
   };
 }
 
-/// Those of the first run for this tolerance (lattice_tuple.cpp), in double.
+/// The final velocities of the first run that the exact solver of lattices makes for this tolerance, in double.
 std::vector<double> exact_velocities(const Parameters& p) {
   const auto lattice = reduced_lattice<double>(p);
   const double accuracy = std::clamp(1e-3 * p.tolerance, 1e-15, 1e-8);
   return velocities(lattice, lattice_collision(lattice, accuracy, {.settle = 1e-3 * p.tolerance}));
 }
 
-PreparedRun exact_trial(const Parameters& p, double longest) {
+PreparedRun exact_run(const Parameters& p, double longest) {
   const auto run = [p, longest] {
     ComputeBudget budget(longest);
     const SimulationResult c = simulate(p, &budget);
@@ -52,8 +52,8 @@ PreparedRun exact_trial(const Parameters& p, double longest) {
   return {run, [p] { return exact_velocities(p); }};
 }
 
-/// All beads are higher by a part of what they fly in a step.
-PreparedRun fixed_step_trial(const Parameters& p, double phase, double longest) {
+/// All beads are higher by a fraction `phase` of the distance that they fly in a step.
+PreparedRun fixed_step_run(const Parameters& p, double phase, double longest) {
   const double dt = 1.0 / p.steps_per_tc;
   const auto lattice = std::make_shared<Lattice<double>>(reduced_lattice<double>(p));
   lattice->shift.resize(lattice->count());
@@ -69,14 +69,14 @@ PreparedRun fixed_step_trial(const Parameters& p, double phase, double longest) 
 
 }  // namespace
 
-PrecisionCase lattice_subject(const Parameters& scene, const PrecisionSpec& spec) {
+PrecisionCase lattice_case(const Parameters& scene, const PrecisionSpec& spec) {
   PrecisionCase lattice{
       .tuples = with_other_sigmas(scene, spec), .reference = by_steps(1e-15), .check = by_steps(1e-13)};
   if (scene.random_separation == Flag::yes)
     for (std::size_t k = 0; k < lattice.tuples.size(); ++k)
       lattice.tuples[k].seed = static_cast<std::int64_t>(random_bits(stream_key(spec.seed, "shifts"), k) >> 1);
-  lattice.trial = [longest = too_long * spec.longest](const Parameters& p, double phase) {
-    return p.integrator == Integrator::exact ? exact_trial(p, longest) : fixed_step_trial(p, phase, longest);
+  lattice.prepare = [longest = too_long * spec.longest](const Parameters& p, double phase) {
+    return p.integrator == Integrator::exact ? exact_run(p, longest) : fixed_step_run(p, phase, longest);
   };
   return lattice;
 }

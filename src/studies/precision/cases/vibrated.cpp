@@ -1,39 +1,40 @@
+#include "studies/precision/cases/vibrated.hpp"
+
 #include <cmath>
 
 #include "base/random.hpp"
 #include "sigmasweep/assembly/complete.hpp"
-#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/vibrated_with_accuracy.hpp"
-#include "studies/precision/subject.hpp"
 
-/// Columns and lattices on a plate that vibrates.
 namespace sigmasweep {
 namespace {
 
 double height(const SimulationResult& c, const Parameters& p) { return c.vibration.h_cm / p.A0; }
 
-ReferenceValue answer(const SimulationResult& c, const Parameters& p) {
+ReferenceValue reference_value(const SimulationResult& c, const Parameters& p) {
   return {.known = is_success(c.status), .value = height(c, p)};
 }
 
-Reference by_steps(double accuracy) {
-  return [accuracy](const Parameters& p) {
-    return answer(is_lattice(p) ? vibrated_lattice_by_steps(p, accuracy) : vibrated_column_by_steps(p, accuracy), p);
-  };
+/// A solver by steps with a local error of `accuracy`.
+using SolverBySteps = SimulationResult (*)(const Parameters&, double accuracy, ComputeBudget*);
+
+Reference by_steps(SolverBySteps solve, double accuracy) {
+  return [solve, accuracy](const Parameters& p) { return reference_value(solve(p, accuracy, nullptr), p); };
 }
 
 /// Columns under the linear law: the integrator `exact` itself.
 ReferenceValue by_series(Parameters p) {
   p.integrator = Integrator::exact;
-  return answer(simulate(p), p);
+  return reference_value(simulate(p), p);
 }
 
-/// Whole numbers of steps fill a period, which begins at the same phase of the plate: it is their number that differs.
+/// A whole number of steps fills a period of the plate, and each period begins with a step. So tuples differ in the
+/// number of steps.
 double steps_for(const Parameters& p, double phase) {
-  constexpr double most = 0.01;
-  return p.steps_per_tc * (1.0 + most * phase);
+  constexpr double max_change = 0.01;
+  return p.steps_per_tc * (1.0 + max_change * phase);
 }
 
 double evaluations(const Parameters& p) {
@@ -42,11 +43,10 @@ double evaluations(const Parameters& p) {
   return steps * (p.integrator == Integrator::rk4 ? 4.0 : 1.0);
 }
 
-}  // namespace
-
-PrecisionCase vibrated_subject(const Parameters& scene, const PrecisionSpec& spec) {
+/// Both references by steps: the same method at two accuracies.
+PrecisionCase case_by_steps(const Parameters& scene, const PrecisionSpec& spec, SolverBySteps solve) {
   PrecisionCase vibrated{
-      .tuples = std::vector(spec.tuples, scene), .reference = by_steps(1e-15), .check = by_steps(1e-14)};
+      .tuples = std::vector(spec.tuples, scene), .reference = by_steps(solve, 1e-15), .check = by_steps(solve, 1e-14)};
   for (std::size_t k = 0; k < vibrated.tuples.size(); ++k) {
     Parameters& p = vibrated.tuples[k];
     p.A0 *= 1.0 + scene_change * (2.0 * chance(spec, "A0", k) - 1.0);
@@ -54,11 +54,7 @@ PrecisionCase vibrated_subject(const Parameters& scene, const PrecisionSpec& spe
     if (p.random_separation == Flag::yes)
       p.seed = static_cast<std::int64_t>(random_bits(stream_key(spec.seed, "shifts"), k) >> 1);
   }
-  if (!is_lattice(scene) && exponents(scene).linear()) {
-    vibrated.check = by_series;
-    vibrated.independent = true;
-  }
-  vibrated.trial = [longest = too_long * spec.longest](Parameters p, double phase) -> PreparedRun {
+  vibrated.prepare = [longest = too_long * spec.longest](Parameters p, double phase) -> PreparedRun {
     if (p.integrator != Integrator::exact) p.steps_per_tc = steps_for(p, phase);
     return {.run = [p, longest] {
       ComputeBudget budget(longest);
@@ -67,6 +63,21 @@ PrecisionCase vibrated_subject(const Parameters& scene, const PrecisionSpec& spe
     }};
   };
   return vibrated;
+}
+
+}  // namespace
+
+PrecisionCase vibrated_column_case(const Parameters& scene, const PrecisionSpec& spec) {
+  PrecisionCase vibrated = case_by_steps(scene, spec, vibrated_column_by_steps);
+  if (exponents(scene).linear()) {
+    vibrated.check = by_series;
+    vibrated.independent = true;
+  }
+  return vibrated;
+}
+
+PrecisionCase vibrated_lattice_case(const Parameters& scene, const PrecisionSpec& spec) {
+  return case_by_steps(scene, spec, vibrated_lattice_by_steps);
 }
 
 }  // namespace sigmasweep
