@@ -25,7 +25,7 @@ void require_steps(const Sweep& sweep, const std::string& spec) {
     return std::ranges::find(columns, name, &Field::name) != columns.end();
   };
   if (!has("predicted_growth"))
-    throw SpecError(fmt::format("{}: a stability study needs tuples with integrator gear5, verlet or rk4", spec));
+    throw SpecError(fmt::format("{}: a stability study needs tuples with an integrator of fixed step", spec));
 }
 
 bool is_well(const Row& row) { return row.result.status == Status::unstable || is_success(row.result.status); }

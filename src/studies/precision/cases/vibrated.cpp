@@ -7,6 +7,7 @@
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/vibrated_with_accuracy.hpp"
+#include "solve/fixed_step/scheme_info.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -40,7 +41,7 @@ double steps_for(const Parameters& p, double phase) {
 double evaluations(const Parameters& p) {
   if (p.integrator == Integrator::exact) return PrecisionRow::nan;
   const double steps = std::ceil(p.steps_per_tc / (p.frequency * p.tc)) * static_cast<double>(p.periods);
-  return steps * (p.integrator == Integrator::rk4 ? 4.0 : 1.0);
+  return steps * scheme_info(p.integrator).evaluations;
 }
 
 /// Both references by steps: the same method at two accuracies.
