@@ -14,7 +14,7 @@
 #include "solve/exact/event_loop_on_ground.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/linear/pair_table.hpp"
-#include "solve/exact/linear/resting_beads.hpp"
+#include "solve/exact/linear/resting/resting_beads.hpp"
 #include "solve/exact/linear/step_lengths.hpp"
 #include "solve/exact/linear/taylor_group.hpp"
 #include "solve/observer/samples.hpp"

@@ -1,4 +1,4 @@
-#include "solve/exact/linear/proportional_modes.hpp"
+#include "solve/exact/linear/resting/proportional_modes.hpp"
 
 #include <complex>
 #include <tuple>

@@ -1,4 +1,4 @@
-#include "solve/exact/linear/general_modes.hpp"
+#include "solve/exact/linear/resting/general_modes.hpp"
 
 namespace sigmasweep {
 

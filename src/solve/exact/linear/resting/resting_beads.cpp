@@ -1,4 +1,4 @@
-#include "solve/exact/linear/resting_beads.hpp"
+#include "solve/exact/linear/resting/resting_beads.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "solve/exact/linear/modes.hpp"
+#include "solve/exact/linear/resting/modes.hpp"
 
 namespace sigmasweep {
 

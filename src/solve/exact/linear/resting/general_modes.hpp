@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solve/exact/linear/modes.hpp"
+#include "solve/exact/linear/resting/modes.hpp"
 
 namespace sigmasweep {
 

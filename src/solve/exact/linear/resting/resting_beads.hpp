@@ -7,7 +7,7 @@
 
 #include "assembly/column.hpp"
 #include "assembly/ground.hpp"
-#include "solve/exact/linear/resting_cluster.hpp"
+#include "solve/exact/linear/resting/resting_cluster.hpp"
 
 namespace sigmasweep {
 

@@ -1,10 +1,10 @@
-#include "solve/exact/linear/resting_cluster.hpp"
+#include "solve/exact/linear/resting/resting_cluster.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "solve/exact/linear/general_modes.hpp"
-#include "solve/exact/linear/proportional_modes.hpp"
+#include "solve/exact/linear/resting/general_modes.hpp"
+#include "solve/exact/linear/resting/proportional_modes.hpp"
 
 namespace sigmasweep {
 namespace {
