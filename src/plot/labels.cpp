@@ -1,7 +1,6 @@
 #include "plot/labels.hpp"
 
 #include <fmt/format.h>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <string_view>
@@ -9,50 +8,11 @@
 namespace sigmasweep::plot {
 namespace {
 
-struct Symbol {
-  std::string_view name, symbol, axis;  ///< axis: empty where the symbol says it all
-};
-
-constexpr auto symbols = std::to_array<Symbol>({
-    {"v0", "{/:Italic v}_0", ""},
-    {"tc", "{/:Italic t}_c", ""},
-    {"s0", "{/:Italic s}_0", ""},
-    {"sigma", "{/:Italic σ}", "{/:Italic σ} = {/:Italic s}_0 / ({/:Italic v}_0 {/:Italic t}_c)"},
-    {"epsilon", "{/:Italic ε}", ""},
-    {"d", "{/:Italic d}", ""},
-    {"D_t", "{/:Italic D}_t", ""},
-    {"D_n", "{/:Italic D}_n", ""},
-    {"N", "{/:Italic N}", ""},
-    {"steps_per_tc", "{/:Italic t}_c/Δ{/:Italic t}", ""},
-    {"eps_eff", "{/:Italic ε}_{eff}", "effective restitution {/:Italic ε}_{eff}"},
-    {"eps_eff_error", "δ{/:Italic ε}_{eff}", "estimated error of {/:Italic ε}_{eff}"},
-    {"Er_Ef", "{/:Italic E}_r/{/:Italic E}_f", ""},
-    {"Er_E0", "{/:Italic E}_r/{/:Italic E}_0", ""},
-    {"v_cm", "{/:Italic v}_{cm}/{/:Italic v}_0", ""},
-    {"t_k", "{/:Italic t}_k", "contact time of the column {/:Italic t}_k"},
-    {"frequency", "{/:Italic f}", ""},
-    {"alpha", "{/:Italic α}", "{/:Italic α} = {/:Italic A}_0 {/:Italic ω}^2/{/:Italic g}"},
-    {"A0", "{/:Italic A}_0", ""},
-    {"gravity", "{/:Italic g}", ""},
-    {"h_cm", "⟨{/:Italic h}_{cm}⟩", "mean height of the centre of mass ⟨{/:Italic h}_{cm}⟩"},
-    {"h_cm_error", "δ{/:Italic h}_{cm}", "standard error of ⟨{/:Italic h}_{cm}⟩"},
-    {"h_cm_excess", "Δ{/:Italic h}_{cm}", "rise of the centre of mass ⟨{/:Italic h}_{cm}⟩ − {/:Italic h}_{cm0}"},
-    {"separation", "⟨{/:Italic s}⟩", "mean separation of neighbours ⟨{/:Italic s}⟩"},
-    {"separation_max", "{/:Italic s}_{max}", "largest separation of neighbours {/:Italic s}_{max}"},
-    {"E_r", "⟨{/:Italic E}_r⟩", "energy of the relative motion ⟨{/:Italic E}_r⟩"},
-    {"x_max", "{/:Italic x}_{max}", "largest overlap {/:Italic x}_{max}"},
-});
-
 std::string spaced(std::string_view name) {
   std::string words(name);
   for (char& c : words)
     if (c == '_') c = ' ';
   return words;
-}
-
-bool is_number(FieldType type) {
-  return type == FieldType::real || type == FieldType::integer || type == FieldType::unsigned_integer ||
-         type == FieldType::integer32;
 }
 
 std::string scientific(double value) {
@@ -66,9 +26,7 @@ std::string scientific(double value) {
 }  // namespace
 
 std::string symbol_of(const Field& field) {
-  for (const auto& s : symbols)
-    if (s.name == field.name) return std::string(s.symbol);
-  return escape_markup(spaced(field.name));
+  return field.symbol.empty() ? escape_markup(spaced(field.name)) : std::string(field.symbol);
 }
 
 std::string escape_markup(std::string_view text) {
@@ -92,9 +50,7 @@ std::string pretty(double value) {
 }
 
 std::string axis_label(const Field& field) {
-  std::string label = symbol_of(field);
-  for (const auto& s : symbols)
-    if (s.name == field.name && !s.axis.empty()) label = s.axis;
+  std::string label = field.quantity.empty() ? symbol_of(field) : std::string(field.quantity);
   if (field.unit != "1" && !field.unit.empty()) label += fmt::format(" ({})", escape_markup(field.unit));
   return label;
 }
@@ -134,8 +90,8 @@ std::string expression_label(std::string_view expression) {
 }
 
 std::string value_label(const Field& field, const Row& row) {
-  if (field.type == FieldType::method) return row.parameters.method == Method::ed ? "ED" : "MD";
-  if (!is_number(field.type)) return escape_markup(field.name) + " " + escape_markup(text(field, row));
+  if (field.type == FieldType::of<Method>()) return row.parameters.method == Method::ed ? "ED" : "MD";
+  if (!enumerators(field.type).empty()) return escape_markup(field.name) + " " + escape_markup(text(field, row));
   std::string label = symbol_of(field) + " = " + pretty(number(field, row));
   if (field.unit != "1" && !field.unit.empty()) label += " " + escape_markup(field.unit);
   return label;

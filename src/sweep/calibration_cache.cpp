@@ -60,9 +60,9 @@ CalibrationCache::CalibrationCache(const Parameters& base, const std::vector<Par
   }
   const auto deciding = with_axis(groups, of_pair);
   if (is_small(deciding, max_remembered)) return;
-  const auto laws = with_axis(groups, of_material);
-  for (std::uint64_t i = 0; i < std::min(size_of(laws), max_remembered); ++i)
-    is_slow_ = is_slow_ || takes_long(values_at(base, laws, i));
+  const auto materials = with_axis(groups, of_material);
+  for (std::uint64_t i = 0; i < std::min(size_of(materials), max_remembered); ++i)
+    is_slow_ = is_slow_ || takes_long(values_at(base, materials, i));
 }
 
 CalibrationCache::MaterialKey CalibrationCache::material_key(const Parameters& p) {

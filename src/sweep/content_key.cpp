@@ -15,10 +15,9 @@ std::uint64_t content_key(const Parameters& parameters) {
   constexpr std::size_t max_fields = 64;
   std::array<std::uint64_t, max_fields> words{physics_version};
   std::size_t used = 1;
-  Row row;
-  row.parameters = parameters;
-  for (const Field& field : parameter_fields())
-    words.at(used++) = std::bit_cast<std::uint64_t>(number(field, row) + 0.0);  // + 0.0 makes -0.0 the 0.0 it equals
+  for (const ParameterField& field : fields_of_parameters())
+    words.at(used++) =
+        std::bit_cast<std::uint64_t>(number(field, parameters) + 0.0);  // + 0.0 makes -0.0 the 0.0 it equals
   return XXH3_64bits(words.data(), used * sizeof words[0]);
 }
 

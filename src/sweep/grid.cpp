@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "sigmasweep/assembly/complete.hpp"
-#include "sigmasweep/model/geometry.hpp"
 #include "sweep/calibration_cache.hpp"
 
 namespace sigmasweep {
@@ -16,14 +15,13 @@ std::uint64_t size_of(const std::vector<ParameterGrid::Group>& groups) {
 }
 
 Parameters values_at(const Parameters& base, const std::vector<ParameterGrid::Group>& groups, std::uint64_t index) {
-  Row row;
-  row.parameters = base;
+  Parameters values = base;
   for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
     const std::uint64_t length = group->front().axis.size();
-    for (const ParameterGrid::Member& member : *group) set_number(*member.field, row, member.axis[index % length]);
+    for (const ParameterGrid::Member& member : *group) set_number(*member.field, values, member.axis[index % length]);
     index /= length;
   }
-  return row.parameters;
+  return values;
 }
 
 ParameterGrid::ParameterGrid(const Parameters& base, GapParameter gap, std::vector<Group> groups)

@@ -18,7 +18,7 @@ class CalibrationCache;
 class ParameterGrid {
  public:
   struct Member {
-    const Field* field;
+    const ParameterField* field;
     Axis axis;
   };
   using Group = std::vector<Member>;  ///< axes of one length; at least one

@@ -69,7 +69,7 @@ def functions(path):
     begin = indent = None
     for number, line in enumerate(lines):
         match = re.match(r"^( {0,4})(?!(?:if|for|while|switch|else|do|struct|class|enum|union|namespace|return)\b)\S.*\{$", line)
-        if begin is None and match and not line.lstrip().startswith(":") and ("(" in line or (number and "(" in lines[number - 1])) and "= {" not in line:
+        if begin is None and match and not line.lstrip().startswith(":") and ("(" in line or (number and "(" in lines[number - 1])) and not re.search(r"= \{|to_array<", line):
             begin, indent = number, match[1]
         elif begin is not None and line.startswith(indent + "}"):
             found.append((begin + 1, number - begin + 1, lines[begin].strip()))

@@ -16,6 +16,7 @@
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/fixed_step/column/collision.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
@@ -23,15 +24,7 @@ using namespace sigmasweep;
 
 constexpr double sigmas[] = {0.0, 0.01, 0.1, 0.3, 1.0, 2.0, 10.0};
 
-Parameters tuple(double sigma) {
-  Parameters p;
-  p.N = 10;
-  p.epsilon = 0.9;
-  p.v0 = 0.2;
-  p.tc = 1e-5;
-  p.sigma = sigma;
-  return complete(p, GapParameter::sigma);
-}
+Parameters tuple(double sigma) { return soft_column({.v0 = 0.2, .tc = 1e-5, .sigma = sigma, .epsilon = 0.9, .N = 10}); }
 
 double reference(const Parameters& p) {
   static std::map<double, double> known;

@@ -11,6 +11,7 @@
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "studies/sections.hpp"
 
 // Whatever the bytes: Sweep::parse returns a sweep of valid rows or throws SpecError, and soon.
 
@@ -210,7 +211,7 @@ std::uint64_t chosen_seed() {
 /// Empty when all is well.
 std::string complaint(const std::string& text) {
   try {
-    const Sweep sweep = Sweep::parse(text, "fuzz.toml");
+    const Sweep sweep = Sweep::parse(text, "fuzz.toml", study_sections);
     if (sweep.size() == 0) return "a sweep without rows";
     for (const std::uint64_t row : {std::uint64_t{0}, sweep.size() / 2, sweep.size() - 1})
       if (const std::string why = why_invalid(sweep.at(row)); !why.empty()) return why;
@@ -239,7 +240,7 @@ void run(std::string (Fuzzer::*make)(), int times) {
 }  // namespace
 
 TEST(SpecFuzz, SeedsAreValid) {
-  for (const std::string& text : seeds) EXPECT_NO_THROW(Sweep::parse(text, "fuzz.toml"));
+  for (const std::string& text : seeds) EXPECT_NO_THROW(Sweep::parse(text, "fuzz.toml", study_sections));
 }
 TEST(SpecFuzz, MutatedSpecs) { run(&Fuzzer::mutated, 4000); }
 TEST(SpecFuzz, RandomBytesAndTokens) { run(&Fuzzer::random, 4000); }

@@ -7,11 +7,12 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "studies/sections.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sigmasweep;
   try {
-    const Sweep sweep = Sweep::parse({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
+    const Sweep sweep = Sweep::parse({reinterpret_cast<const char*>(data), size}, "fuzz.toml", study_sections);
     if (sweep.size() == 0) std::abort();
     for (const std::uint64_t row : {std::uint64_t{0}, sweep.size() / 2, sweep.size() - 1})
       if (!why_invalid(sweep.at(row)).empty()) std::abort();

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "sigmasweep/sweep/sweep.hpp"
+#include "support/columns.hpp"
 
 using namespace sigmasweep;
 
@@ -30,47 +31,9 @@ std::string shown(std::string_view name, const Row& row) { return text(*find_fie
 }  // namespace
 
 TEST(Fields, ListsAreComplete) {
-  EXPECT_EQ(names(parameter_fields()), (std::vector<std::string>{"v0",
-                                                                 "tc",
-                                                                 "s0",
-                                                                 "sigma",
-                                                                 "N",
-                                                                 "epsilon",
-                                                                 "method",
-                                                                 "geometry",
-                                                                 "rows",
-                                                                 "columns",
-                                                                 "D_t",
-                                                                 "side_walls",
-                                                                 "wall",
-                                                                 "law",
-                                                                 "beta",
-                                                                 "gamma",
-                                                                 "K_over_m",
-                                                                 "D_n",
-                                                                 "material",
-                                                                 "integrator",
-                                                                 "d",
-                                                                 "width",
-                                                                 "random_separation",
-                                                                 "seed",
-                                                                 "ed_rule",
-                                                                 "steps_per_tc",
-                                                                 "tolerance",
-                                                                 "gravity",
-                                                                 "frequency",
-                                                                 "alpha",
-                                                                 "A0",
-                                                                 "periods",
-                                                                 "transient"}));
-  EXPECT_EQ(names(result_fields()),
-            (std::vector<std::string>{"eps_eff",        "eps_eff_error", "Er_Ef",       "Er_E0",
-                                      "v_cm",           "t_k",           "x_max",       "predicted_growth",
-                                      "h_cm",           "h_cm_error",    "h_cm_excess", "separation",
-                                      "separation_max", "E_r",           "cm_period",   "power_in",
-                                      "power_lost",     "imbalance",     "contacts",    "end",
-                                      "status"}));
-  EXPECT_EQ(names(timing_fields()), (std::vector<std::string>{"run_time", "predicted_time", "rank", "attempt"}));
+  EXPECT_EQ(names(parameter_fields()), golden::names_of(golden::Part::parameters));
+  EXPECT_EQ(names(result_fields()), golden::names_of(golden::Part::results));
+  EXPECT_EQ(names(timing_fields()), golden::names_of(golden::Part::timings));
   EXPECT_EQ(find_field("no such field"), nullptr);
 }
 
@@ -114,6 +77,36 @@ TEST(Fields, EachSitsAtItsMember) {
   EXPECT_EQ(shown("end", row), "quiet");
   EXPECT_EQ(number(*find_field("transient"), row), 7.0);
   EXPECT_EQ(number(*find_field("imbalance"), row), 3e-9);
+}
+
+TEST(Fields, ParametersAreReadAndSetAlone) {
+  const auto of_rows = parameter_fields();
+  const auto alone = fields_of_parameters();
+  ASSERT_EQ(alone.size(), of_rows.size());
+  Row row;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(alone[i].name, of_rows[i].name);
+    EXPECT_EQ(find_parameter(alone[i].name), &alone[i]);
+    set_number(alone[i], row.parameters, 1.0);
+    EXPECT_EQ(number(of_rows[i], row), 1.0) << alone[i].name;
+    EXPECT_EQ(number(alone[i], row.parameters), 1.0) << alone[i].name;
+    EXPECT_EQ(text(alone[i], row.parameters), text(of_rows[i], row));
+  }
+  EXPECT_EQ(find_parameter("eps_eff"), nullptr);
+}
+
+TEST(Fields, RefusalsNameTheFieldItsValueAndWhatIsAllowed) {
+  EXPECT_EQ(why_refused(*find_parameter("v0"), -1.0, "-1"),
+            "v0 = -1 is not allowed: it must be a finite speed > 0 m/s.");
+  EXPECT_EQ(why_refused(*find_parameter("N"), 0.0, "0"),
+            "N = 0 is not allowed: it must be a whole number from 1 to 1000000.");
+  EXPECT_EQ(why_refused(*find_parameter("steps_per_tc"), 0.0, "0"), "");  // chosen by the tolerance
+  EXPECT_EQ(why_refused(*find_parameter("method"), 1.0, "1"), "");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const ParameterField& field : fields_of_parameters()) {
+    if (!enumerators(field.type).empty()) continue;
+    EXPECT_NE(why_refused(field, nan, "nan"), "") << field.name;
+  }
 }
 
 TEST(Fields, NoTwoOverlap) {

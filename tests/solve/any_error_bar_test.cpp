@@ -14,6 +14,7 @@
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"
 #include "solve/hard_spheres/plain_hard_spheres.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
@@ -96,15 +97,14 @@ TEST(AnyErrorBar, OfFixedSteps) {
 
 // What random tuples found: an error bar that was too small.
 Parameters found(Method method, std::int64_t N, double epsilon, double sigma, Wall wall) {
-  Parameters p;
-  p.method = method;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.sigma = sigma;
-  p.wall = wall;
-  p.v0 = p.tc = 1.0;
-  p.tolerance = 1e-12;
-  return complete(p, GapParameter::sigma);
+  return completed({.v0 = 1.0,
+                    .tc = 1.0,
+                    .sigma = sigma,
+                    .epsilon = epsilon,
+                    .tolerance = 1e-12,
+                    .N = N,
+                    .method = method,
+                    .wall = wall});
 }
 
 void expect_truth(const Parameters& p) {

@@ -10,18 +10,14 @@
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/books.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
 using namespace sigmasweep;
 
 Parameters tuple(std::int64_t N, double epsilon, double sigma, Law law = Law::hooke) {
-  Parameters p;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.sigma = sigma;
-  p.law = law;
-  return complete(p, GapParameter::sigma);
+  return soft_column({.sigma = sigma, .epsilon = epsilon, .N = N, .law = law});
 }
 
 void watch(const Column<double>& column, Samples& samples) {

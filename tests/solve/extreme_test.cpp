@@ -11,19 +11,16 @@
 #include "sigmasweep/trajectory/trajectory.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/observer/samples.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
 using namespace sigmasweep;
 
 Parameters tuple(std::int64_t N, double epsilon, double sigma, double width = 0.0) {
-  Parameters p;
-  p.v0 = p.tc = 1.0;  // SI and reduced units are the same
-  p.N = N;
-  p.epsilon = epsilon;
-  p.sigma = sigma;
-  p.width = width * p.d;
-  return complete(p, GapParameter::sigma);
+  // SI and reduced units are the same
+  return soft_column(
+      {.v0 = 1.0, .tc = 1.0, .sigma = sigma, .epsilon = epsilon, .width = width * Parameters{}.d, .N = N});
 }
 
 /// Energy, momentum, and what dashpots and the wall have done up to each sample of a recorded collision: the books kept

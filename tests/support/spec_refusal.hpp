@@ -6,6 +6,7 @@
 
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "studies/sections.hpp"
 
 /// What a spec is refused with.
 namespace sigmasweep {
@@ -13,7 +14,7 @@ namespace sigmasweep {
 /// The message, or "accepted".
 inline std::string refusal_of(const std::string& spec, const std::string& file) {
   try {
-    Sweep::parse(spec, file);
+    Sweep::parse(spec, file, study_sections);
   } catch (const SpecError& error) {
     return error.what();
   }

@@ -1,47 +1,94 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/row.hpp"
 
-/// The names, units and places of everything a row holds: the one list that the spec's keys, `where`, the table's
-/// members, show, export and plot are made from.
+/// The registry of fields: names, units, places, relevance and validity of everything a row holds. The spec's keys,
+/// `where`, the table's members, show, export and plot are made from it.
 namespace sigmasweep {
 
-enum class FieldType : std::uint8_t {
-  real,
-  integer,
-  unsigned_integer,
-  integer32,
-  method,
-  wall,
-  integrator,
-  end,
-  status,
-  law,
-  material,
-  ed_rule,
-  flag,
-  geometry,
-  side_walls
+/// How a field is stored: a number, or one byte that numbers the enumerators of an enumeration.
+struct FieldType {
+  enum class Storage : std::uint8_t { real, integer, unsigned_integer, integer32, enumeration };
+
+  Storage storage = Storage::real;
+  std::span<const std::string_view> names{};  ///< of an enumeration: its enumerators, in the order of their numbers
+
+  static const FieldType real, integer, unsigned_integer, integer32;
+  /// The type of a member of type T: double, a whole number or an enumeration.
+  template <class T>
+  static constexpr FieldType of();
+
+  friend constexpr bool operator==(const FieldType& a, const FieldType& b) {
+    return a.storage == b.storage && a.names.data() == b.names.data();
+  }
 };
 
-struct Field {
-  std::string_view name;
-  std::string_view unit;     ///< SI; "1" where there is none
-  std::string_view meaning;  ///< one line, for the table's attributes and help
-  FieldType type;
-  std::size_t offset;  ///< within Row
+inline constexpr FieldType FieldType::real{Storage::real, {}}, FieldType::integer{Storage::integer, {}},
+    FieldType::unsigned_integer{Storage::unsigned_integer, {}}, FieldType::integer32{Storage::integer32, {}};
+
+template <class T>
+constexpr FieldType FieldType::of() {
+  if constexpr (std::is_enum_v<T>)
+    return {Storage::enumeration, names_of<T>()};
+  else if constexpr (std::is_same_v<T, std::int64_t>)
+    return integer;
+  else if constexpr (std::is_same_v<T, std::uint64_t>)
+    return unsigned_integer;
+  else if constexpr (std::is_same_v<T, std::int32_t>)
+    return integer32;
+  else {
+    static_assert(std::is_same_v<T, double>);
+    return real;
+  }
+}
+
+/// What a tuple must be for a field to count.
+struct Condition {
+  bool (*holds)(const Parameters&);
+  std::string_view needs;  ///< the same for messages: "method = 'md'"
 };
+
+/// The values that a parameter may have, whatever the other parameters are.
+struct AllowedValues {
+  bool (*contain)(double) = nullptr;             ///< null: all
+  std::string_view must_be{};                    ///< the same for messages: "a finite speed > 0 m/s"
+  bool (*checked)(const Parameters&) = nullptr;  ///< the tuples whose value is checked; null: all
+};
+
+/// A field of an Owner: a member of Parameters, SimulationResult or Timing, or of a Row, which has the members of all
+/// three.
+template <class Owner>
+struct FieldOf {
+  std::string_view name;
+  FieldType type;
+  std::size_t offset;           ///< of the member within Owner, bytes
+  std::string_view unit{};      ///< SI; "1" where there is none
+  std::string_view meaning{};   ///< one line, for the table's attributes and help
+  std::string_view symbol{};    ///< in gnuplot's markup; empty: the name
+  std::string_view quantity{};  ///< label of an axis, in gnuplot's markup, without the unit; empty: the symbol
+  std::array<const Condition*, 2> applies{};  ///< all that are not null must hold; none: it counts for every tuple
+  AllowedValues allowed{};
+  const Condition* always_column{};  ///< of a parameter: tuples whose tables have it even if it is no axis; null: none
+};
+using Field = FieldOf<Row>;
+using ParameterField = FieldOf<Parameters>;
 
 std::span<const Field> parameter_fields();
 std::span<const Field> result_fields();
 std::span<const Field> timing_fields();
+
+/// The parameters as members of Parameters, in the order of parameter_fields().
+std::span<const ParameterField> fields_of_parameters();
 
 /// The three lists one after the other; and their names.
 std::vector<Field> all_fields();
@@ -49,16 +96,46 @@ std::vector<std::string_view> field_names();
 
 /// The field of that name, from any of the three lists, or nullptr.
 const Field* find_field(std::string_view name);
+const ParameterField* find_parameter(std::string_view name);
 
-/// A field's value as a number (enumerators as their number), and as the text that users read: an enumerator's name,
-/// the shortest decimal that reads back as the same double, nan, inf.
-double number(const Field& field, const Row& row);
-std::string text(const Field& field, const Row& row);
+namespace field_access {
+double number(const FieldType& type, const std::byte* member);
+void set_number(const FieldType& type, std::byte* member, double value);
+std::string text(const FieldType& type, const std::byte* member);
+
+template <class Owner>
+const std::byte* member(const FieldOf<Owner>& field, const Owner& owner) {
+  return reinterpret_cast<const std::byte*>(&owner) + field.offset;
+}
+}  // namespace field_access
+
+/// A field's value as a number; of an enumerator its own number.
+template <class Owner>
+double number(const FieldOf<Owner>& field, const Owner& owner) {
+  return field_access::number(field.type, field_access::member(field, owner));
+}
+
+/// A field's value as users read it: the enumerator's name; or the shortest decimal that reads back as the same double,
+/// nan or inf.
+template <class Owner>
+std::string text(const FieldOf<Owner>& field, const Owner& owner) {
+  return field_access::text(field.type, field_access::member(field, owner));
+}
 
 /// Sets a field from a number(); integers must be whole, enumerators one of their numbers.
-void set_number(const Field& field, Row& row, double value);
+template <class Owner>
+void set_number(const FieldOf<Owner>& field, Owner& owner, double value) {
+  field_access::set_number(field.type, reinterpret_cast<std::byte*>(&owner) + field.offset, value);
+}
+
+/// Why the field cannot have this value, whatever the other parameters are: one sentence that names the field, the
+/// value, shown as `text`, and what is allowed; empty if it can.
+template <class Owner>
+std::string why_refused(const FieldOf<Owner>& field, double value, std::string_view text);
+extern template std::string why_refused(const Field&, double, std::string_view);
+extern template std::string why_refused(const ParameterField&, double, std::string_view);
 
 /// The names of a field's values if it is an enumeration, in the order of their numbers; empty for numbers.
-std::span<const std::string_view> enumerators(FieldType type);
+constexpr std::span<const std::string_view> enumerators(const FieldType& type) { return type.names; }
 
 }  // namespace sigmasweep

@@ -4,15 +4,26 @@
 
 #include "sigmasweep/model/fields.hpp"
 
-/// Which parameters count for a tuple: the one list of rules for what a spec may give and what repeats a row.
+/// Which fields count for a tuple, from the conditions that the fields carry.
 namespace sigmasweep {
 
 /// Whether the tuple depends on this parameter as a given one: not if its solver does not look at it, nor if it follows
 /// from others (tc and epsilon from K_over_m, these from the material). Of a result: whether the tuple has it.
-bool applies_to(const Field& parameter, const Parameters& tuple);
+template <class Owner>
+bool applies_to(const FieldOf<Owner>& field, const Parameters& tuple) {
+  for (const Condition* condition : field.applies)
+    if (condition && !condition->holds(tuple)) return false;
+  return true;
+}
 
-/// What a tuple must have to use it, for messages: "method = 'md'"; empty if every one does.
-std::string requirement_of(const Field& parameter);
+/// What a tuple must have to use the field, for messages: "method = 'md'"; empty if every tuple uses it.
+template <class Owner>
+std::string requirement_of(const FieldOf<Owner>& field) {
+  std::string needs;
+  for (const Condition* condition : field.applies)
+    if (condition) needs.append(needs.empty() ? "" : ", and ").append(condition->needs);
+  return needs;
+}
 
 /// Whether the tuple is computed in steps of a fixed length that steps_per_tc gives.
 bool has_given_steps(const Parameters& tuple);

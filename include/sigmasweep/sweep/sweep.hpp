@@ -1,68 +1,33 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/row.hpp"
-#include "sigmasweep/studies/precision/study.hpp"
+#include "sigmasweep/sweep/plot_spec.hpp"
+#include "sigmasweep/sweep/run_spec.hpp"
 #include "sigmasweep/sweep/trajectory_spec.hpp"
 
 namespace sigmasweep {
 
-/// A straight line fitted to each series by least squares, all points alike.
-struct FitSpec {
-  enum class Form { power, line };  ///< y = A x^b, fitted in the logarithms; y = a + b x
-  Form form = Form::power;
-  double from = -std::numeric_limits<double>::infinity();  ///< the points with from <= x <= to
-  double to = std::numeric_limits<double>::infinity();
+namespace spec {
+struct Entry;
+}
+
+class Sweep;
+
+/// A table of the spec that is not the sweep's own, such as a study's. The sweep keeps it, its owner reads it.
+struct SpecSection {
+  std::string_view name;
+  /// Throws SpecError if the table is not what its owner can read, or the sweep not what it can use.
+  void (*require_valid)(const spec::Entry& table, const Sweep& sweep);
 };
-
-/// A dashed line to compare with: horizontal at y; a curve, y an expression of x; or with a slope (that of log y
-/// against log x where both axes are logarithmic) through a point.
-struct GuideSpec {
-  std::string label;
-  std::optional<double> y{};  ///< horizontal; else:
-  std::string curve{};        ///< y as an expression of x (see FunctionOfX); empty:
-  double slope = 0.0;
-  std::optional<std::array<double, 2>> through{};          ///< the point; else the last one (largest x) of
-  std::string where{};                                     ///< the rows drawn for which this holds; empty: of all
-  double from = -std::numeric_limits<double>::infinity();  ///< drawn over this range of x only
-  double to = std::numeric_limits<double>::infinity();
-};
-
-/// What a plot shows: rows as points; the trajectories of rows, a panel each (such a plot has nothing else but name,
-/// title, where, and of vibrated columns x = "time" or "phase"); or where a fixed time step is stable (name, title,
-/// where, y and y_scale).
-enum class PlotKind { points, trajectories, stability };
-
-/// [plot] of a spec, or one of several [[plot]]. Where all columns of a sweep are vibrated it is h_cm_excess against
-/// alpha on a linear axis unless the spec says something else.
-struct PlotSpec {
-  std::string name;  ///< letters, digits, '-', '_'; empty: none
-  PlotKind kind = PlotKind::points;
-  std::string x = "sigma", y = "eps_eff";  ///< fields, or expressions over them (see Formula)
-  std::string y_error;           ///< the same, for error bars; empty: h_cm_error of h_cm and h_cm_excess, else none
-  std::string x_label, y_label;  ///< empty: made from x and y
-  bool x_log = true, y_log = false;
-  std::vector<std::string> series;     ///< names of fields: one curve per distinct combination
-  std::string title;                   ///< empty: the sweep's title
-  std::string where;                   ///< a condition on the rows drawn (see Where); empty: all
-  std::vector<std::string> mean_over;  ///< fields: rows of a series that agree in x but for these are averaged
-  bool lines = false;                  ///< the points of a series joined
-  std::optional<FitSpec> fit;
-  std::vector<GuideSpec> guides;
-  bool by_phase = false;  ///< trajectories against the phase of the plate, not time
-};
-
-/// Whether the manager rank also computes. automatic: yes, unless there are many ranks.
-enum class ManagerRole { automatic, computes, dedicated };
 
 /// A sweep spec, parsed and validated once; immutable. Rows are numbered in spec order, last axis fastest, after
 /// `where`.
@@ -93,11 +58,15 @@ enum class ManagerRole { automatic, computes, dedicated };
 /// looked at when the spec is read, and one bit each is kept.
 class Sweep {
  public:
-  /// From TOML text; `file` is only for messages. Throws SpecError with one message: file, line, key, value, what is
-  /// allowed and the nearest known key.
-  static Sweep parse(std::string_view text, const std::string& file);
+  using Sections = std::span<const SpecSection>;
+
+  /// From TOML text; `file` is only for messages, `sections` are the tables that it may have beside the sweep's own.
+  /// Throws SpecError with one message: file, line, key, value, what is allowed and the nearest known key.
+  static Sweep parse(std::string_view text, const std::string& file, Sections sections = {});
   /// From a file of at most 4 MiB. Throws InputNotFound or SpecError.
-  static Sweep load(const std::string& path);
+  static Sweep load(const std::string& path, Sections sections = {});
+  /// From the text that a table keeps, which was checked before it was computed: sections of any name may be there.
+  static Sweep parse_stored(std::string_view text, const std::string& file);
 
   const std::string& title() const;
   const std::string& text() const;  ///< the spec's whole text
@@ -108,7 +77,8 @@ class Sweep {
   /// CPU time after which a tuple is given up, s, if the spec says so. Not part of what a tuple is.
   std::optional<double> tuple_time_limit() const;
   const std::optional<TrajectorySpec>& trajectory() const;  ///< if the spec has one
-  const std::optional<PrecisionSpec>& precision() const;    ///< if the spec has one
+  /// The spec's table of that name that is not the sweep's own, or null. Valid as long as any copy of this sweep is.
+  const spec::Entry* section(std::string_view name) const;
 
   std::uint64_t size() const;  ///< number of rows, at least 1
   /// Parameters of a row, s0 and sigma both filled in. Throws std::out_of_range. Safe from several threads at once.
@@ -124,6 +94,7 @@ class Sweep {
 
  private:
   struct Impl;
+  static Sweep parse(std::string_view text, const std::string& file, Sections sections, bool any_section);
   explicit Sweep(std::shared_ptr<const Impl> impl);
   std::shared_ptr<const Impl> impl_;
 };

@@ -81,7 +81,7 @@ void require_all(const std::vector<Row>& rows, std::uint64_t slices) {
 /// Joins the tables of slices. Throws Error of code 65 where the parts do not fit together or rows are missing.
 int merge(const MergeOptions& options) {
   Table first = read_part(options.parts.front(), nullptr);
-  const Sweep sweep = Sweep::parse(first.info.spec_text, options.parts.front());
+  const Sweep sweep = Sweep::parse_stored(first.info.spec_text, options.parts.front());
   Ledger ledger(sweep, options.output, LedgerOptions{.fresh = options.fresh, .reuse = {}});
   if (ledger.table_is_complete()) {
     ledger.close();

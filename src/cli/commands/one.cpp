@@ -26,7 +26,7 @@ struct OneOptions {
 
 /// The value as TOML writes it: what a number is was checked before.
 std::string toml_value(const Field& field, const std::string& typed) {
-  if (field.type == FieldType::flag) return typed;
+  if (field.type == FieldType::of<Flag>()) return typed;
   if (!enumerators(field.type).empty()) return fmt::format("\"{}\"", typed);
   return field.type == FieldType::real ? fmt::format("{}", std::stod(typed)) : typed;
 }

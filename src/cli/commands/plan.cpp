@@ -7,6 +7,7 @@
 #include "engine/report/unstable_rows.hpp"
 #include "sigmasweep/solve/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "studies/sections.hpp"
 #include "sweep/schedule.hpp"
 
 namespace sigmasweep {
@@ -99,7 +100,7 @@ void print_json(const Sweep& sweep, const Plan& plan, int ranks) {
 }
 
 int plan(const PlanOptions& options) {
-  const Sweep sweep = Sweep::load(options.spec);
+  const Sweep sweep = Sweep::load(options.spec, study_sections);
   const Plan result = plan_of(sweep, options.ranks);
   if (const std::string warning = stability_warning(sweep); !warning.empty())
     fmt::print(stderr, "sigmasweep: {}\n", warning);

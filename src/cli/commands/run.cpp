@@ -5,6 +5,7 @@
 
 #include "base/duration.hpp"
 #include "cli/command.hpp"
+#include "studies/sections.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -23,6 +24,7 @@ std::optional<Slice> parse_slice(const std::string& typed) {
 }
 
 void declare(OptionSet& set, RunOptions& options) {
+  options.sections = study_sections;
   set.add({"spec", "The sweep spec, a TOML file", "SPEC.toml"}, options.spec);
   set.add({"-o,--output", "The table; default: the spec's name with .h5, here", "TABLE.h5"}, options.output);
   set.add_flag("--fresh", "Start again, whatever is there", options.fresh);

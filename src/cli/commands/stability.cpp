@@ -1,10 +1,12 @@
 #include "cli/command.hpp"
+#include "studies/sections.hpp"
 #include "studies/stability/command.hpp"
 
 namespace sigmasweep {
 namespace {
 
 void declare(OptionSet& set, StabilityOptions& options) {
+  options.run.sections = study_sections;
   set.add({"spec", "A sweep spec with integrators of fixed step and steps_per_tc", "SPEC.toml"}, options.run.spec);
   set.add({"-o,--output", "The table; default: the spec's name with .h5, here", "TABLE.h5"}, options.run.output);
   set.add_flag("--fresh", "Start again, whatever is there", options.run.fresh);

@@ -16,7 +16,7 @@ namespace sigmasweep {
 StoredSweep read_stored_sweep(const std::string& path) {
   StoredSweep stored{read_table(path), std::nullopt};
   try {
-    stored.sweep = Sweep::parse(stored.table.info.spec_text, path);
+    stored.sweep = Sweep::parse_stored(stored.table.info.spec_text, path);
   } catch (const SpecError&) {  // of another version: the table itself is still good
     return stored;
   }

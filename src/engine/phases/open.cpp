@@ -34,7 +34,7 @@ OpenSweep open_sweep(const World& world, const RunOptions& options, const Report
   std::optional<Sweep> sweep;
   std::optional<Ledger> ledger;
   on_manager(world, [&] {
-    sweep = Sweep::load(options.spec);
+    sweep = Sweep::load(options.spec, options.sections);
     if (!options.fresh) require_own_trajectories(*sweep, table);
     ledger.emplace(*sweep, table,
                    LedgerOptions{options.fresh, options.slice, options.extend, options.reuse, options.retry});
@@ -42,7 +42,7 @@ OpenSweep open_sweep(const World& world, const RunOptions& options, const Report
     report_kept_rows(*ledger, table, options.slice.size(sweep->size()), reporter);
   });
   const std::string text = world.broadcast(sweep ? sweep->text() : "");
-  if (!sweep) sweep = Sweep::parse(text, options.spec);
+  if (!sweep) sweep = Sweep::parse(text, options.spec, options.sections);
   const bool complete = world.broadcast(std::int64_t{ledger && ledger->table_is_complete()}) != 0;
   return OpenSweep{.sweep = *sweep,
                    .table = table,

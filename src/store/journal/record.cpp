@@ -32,7 +32,9 @@ std::size_t record_size(const std::vector<Field>& fields) {
 
 std::uint64_t layout_of(const std::vector<Field>& fields) {
   std::string layout;
-  for (const Field& field : fields) layout += fmt::format("{}:{};", field.name, static_cast<int>(field.type));
+  for (const Field& field : fields)
+    layout += fmt::format("{}:{}:{};", field.name, static_cast<int>(field.type.storage),
+                          fmt::join(enumerators(field.type), ","));
   return XXH3_64bits(layout.data(), layout.size());
 }
 

@@ -30,7 +30,7 @@ nlohmann::ordered_json json_of(std::span<const Field> fields, const Row& row) {
   auto document = nlohmann::ordered_json::object();
   for (const Field& field : fields) {
     auto& value = document[std::string(field.name)];
-    if (field.type == FieldType::flag)
+    if (field.type == FieldType::of<Flag>())
       value = number(field, row) != 0.0;
     else if (!enumerators(field.type).empty())
       value = text(field, row);

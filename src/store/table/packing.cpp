@@ -7,20 +7,18 @@ namespace sigmasweep {
 namespace {
 
 static_assert(std::is_trivially_copyable_v<Row>);
-static_assert(sizeof(Method) == 1 && sizeof(Geometry) == 1 && sizeof(Wall) == 1 && sizeof(Integrator) == 1 &&
-              sizeof(Law) == 1 && sizeof(Material) == 1 && sizeof(EdRule) == 1 && sizeof(Flag) == 1 &&
-              sizeof(SideWalls) == 1 && sizeof(End) == 1 && sizeof(Status) == 1);
 
 }  // namespace
 
 std::size_t packed_size(FieldType type) {
-  switch (type) {
-    case FieldType::real:
-    case FieldType::integer:
-    case FieldType::unsigned_integer: return 8;
-    case FieldType::integer32: return 4;
-    default: return 1;
+  switch (type.storage) {
+    case FieldType::Storage::real:
+    case FieldType::Storage::integer:
+    case FieldType::Storage::unsigned_integer: return 8;
+    case FieldType::Storage::integer32: return 4;
+    case FieldType::Storage::enumeration: break;
   }
+  return 1;
 }
 
 std::size_t packed_size(std::span<const Field> fields) {

@@ -26,13 +26,14 @@ Handle enum_type(std::span<const std::string_view> names) {
 }  // namespace
 
 Handle value_type(FieldType type) {
-  switch (type) {
-    case FieldType::real: return number_type(H5T_NATIVE_DOUBLE);
-    case FieldType::integer: return number_type(H5T_NATIVE_INT64);
-    case FieldType::unsigned_integer: return number_type(H5T_NATIVE_UINT64);
-    case FieldType::integer32: return number_type(H5T_NATIVE_INT32);
-    default: return enum_type(enumerators(type));
+  switch (type.storage) {
+    case FieldType::Storage::real: return number_type(H5T_NATIVE_DOUBLE);
+    case FieldType::Storage::integer: return number_type(H5T_NATIVE_INT64);
+    case FieldType::Storage::unsigned_integer: return number_type(H5T_NATIVE_UINT64);
+    case FieldType::Storage::integer32: return number_type(H5T_NATIVE_INT32);
+    case FieldType::Storage::enumeration: break;
   }
+  return enum_type(enumerators(type));
 }
 
 Handle packed_type(std::span<const Field> fields) {

@@ -25,6 +25,7 @@
 #include "studies/precision/pictures.hpp"
 #include "studies/precision/table.hpp"
 #include "studies/precision/text.hpp"
+#include "studies/sections.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -32,13 +33,13 @@ namespace {
 using namespace exit_code;
 
 Sweep with_precision(Sweep sweep, const std::string& spec) {
-  if (!sweep.precision()) throw SpecError(fmt::format("{}: a precision study needs a table [precision]", spec));
+  if (!precision_of(sweep)) throw SpecError(fmt::format("{}: a precision study needs a table [precision]", spec));
   return sweep;
 }
 
 /// The spec's study, with what the command line has instead.
 PrecisionSpec study_of(const Sweep& sweep, const PrecisionOptions& options) {
-  PrecisionSpec study = *sweep.precision();
+  PrecisionSpec study = *precision_of(sweep);
   if (options.tuples) study.tuples = *options.tuples;
   if (options.repeats) study.repeats = *options.repeats;
   return study;
@@ -133,12 +134,12 @@ int precision_study(World& world, const PrecisionOptions& options) {
   const std::string start = utc_now();
   std::optional<Sweep> sweep;
   const int loaded = run_on_root(world, [&] {
-    sweep = with_precision(Sweep::load(options.spec), options.spec);
+    sweep = with_precision(Sweep::load(options.spec, study_sections), options.spec);
     return success;
   });
   if (loaded != success) return loaded;
   const std::string text = world.broadcast(sweep ? sweep->text() : "");
-  if (!sweep) sweep = Sweep::parse(text, options.spec);
+  if (!sweep) sweep = Sweep::parse(text, options.spec, study_sections);
   const PrecisionSpec study = study_of(*sweep, options);
   bool complete = false;
   const auto rows = measure(world, *sweep, study, options.quiet, complete);

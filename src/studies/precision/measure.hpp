@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sigmasweep/model/parameters.hpp"
-#include "sigmasweep/studies/precision/study.hpp"
+#include "studies/precision/study.hpp"
 
 /// The precision study: error of every integrator against its time, measured against references that are better by
 /// many digits.

@@ -45,7 +45,7 @@ void draw_precision(const Sweep& sweep, std::span<const PrecisionRow> rows, cons
 
 void draw_stored_precision(const std::string& table, const std::string& file, const std::string& name) {
   PrecisionTable study = read_precision_table(table);
-  const Sweep sweep = Sweep::parse(study.spec_text, table);
+  const Sweep sweep = Sweep::parse_stored(study.spec_text, table);
   for (PrecisionRow& row : study.rows) {
     if (row.scene >= sweep.size()) throw IoError(fmt::format("{}: its rows are not those of its spec", table));
     const Integrator integrator = row.parameters.integrator;

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "sigmasweep/studies/precision/study.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "studies/precision/study.hpp"
 
 namespace sigmasweep {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "sigmasweep/model/row.hpp"
-#include "sigmasweep/studies/precision/study.hpp"
+#include "studies/precision/study.hpp"
 
 namespace sigmasweep {
 

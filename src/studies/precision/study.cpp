@@ -1,4 +1,4 @@
-#include "sigmasweep/studies/precision/study.hpp"
+#include "studies/precision/study.hpp"
 
 #include <array>
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sigmasweep/model/fields.hpp"
-#include "sigmasweep/studies/precision/study.hpp"
 #include "store/table/table.hpp"
+#include "studies/precision/study.hpp"
 
 namespace sigmasweep {
 

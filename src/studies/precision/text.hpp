@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "sigmasweep/studies/precision/study.hpp"
+#include "studies/precision/study.hpp"
 
 namespace sigmasweep {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -18,20 +17,17 @@ bool is_name(std::string_view token) {
   return !token.empty() && std::all_of(token.begin(), token.end(), is_letter) && !(token[0] >= '0' && token[0] <= '9');
 }
 
-/// The variable that stands for enumerator `number` of a type; no name that users write.
-std::string stand_in(FieldType type, std::size_t number) {
-  return fmt::format("__{}_{}", static_cast<int>(type), number);
-}
-
 }  // namespace
 
-Expression::Expression(const std::string& text, std::span<const Field> fields, expression_types::Wanted wanted)
+template <class Owner>
+Expression<Owner>::Expression(const std::string& text, std::span<const FieldOf<Owner>> fields,
+                              expression_types::Wanted wanted)
     : fields_(fields.begin(), fields.end()) {
   if (text.size() > max_length)
     throw UsageError(fmt::format("an expression may have at most {} characters, this has {}", max_length, text.size()));
   parser_.EnableOptimizer(false);  // byte code that follows the expression, for the types
   parser_.DefineInfixOprt("!", expression_types::logical_not);
-  for (const Field& field : fields_) define(field.name, {&field, field.type, 0.0});
+  for (const FieldOf<Owner>& field : fields_) define(field.name, {&field, field.type, 0.0});
   define_enumerators();
   try {
     parser_.SetExpr(resolved(text));
@@ -43,29 +39,40 @@ Expression::Expression(const std::string& text, std::span<const Field> fields, e
   expression_types::require(wanted, parser_.GetByteCode(), [this](const double* value) { return use(value); });
 }
 
-double Expression::operator()(const Row& row) {
-  for (Variable* variable : used_) variable->value = number(*variable->field, row);
+template <class Owner>
+double Expression<Owner>::operator()(const Owner& owner) {
+  for (Variable* variable : used_) variable->value = number(*variable->field, owner);
   return parser_.Eval();
 }
 
-std::vector<Field> Expression::used() const {
-  std::vector<Field> fields;
+template <class Owner>
+std::vector<FieldOf<Owner>> Expression<Owner>::used() const {
+  std::vector<FieldOf<Owner>> fields;
   for (const Variable* variable : used_) fields.push_back(*variable->field);
   return fields;
 }
 
-void Expression::define(std::string_view name, const Variable& variable) {
+template <class Owner>
+void Expression<Owner>::define(std::string_view name, const Variable& variable) {
   variables_.push_back(variable);
   parser_.DefineVar(std::string(name), &variables_.back().value);
   if (!name.starts_with("__")) names_.push_back(name);
 }
 
+/// The variable that stands for an enumerator; no name that users write.
+template <class Owner>
+std::string Expression<Owner>::stand_in(const FieldType& enumeration, std::size_t number) const {
+  const auto place = std::ranges::find(enumerations_, enumeration) - enumerations_.begin();
+  return fmt::format("__{}_{}", place, number);
+}
+
 /// Each under its stand-in; those whose name is a word that nothing else is called, also under that.
-void Expression::define_enumerators() {
-  std::set<FieldType> types;
-  for (const Field& field : fields_)
-    if (!enumerators(field.type).empty()) types.insert(field.type);
-  for (const FieldType type : types) {
+template <class Owner>
+void Expression<Owner>::define_enumerators() {
+  for (const FieldOf<Owner>& field : fields_)
+    if (!enumerators(field.type).empty() && std::ranges::find(enumerations_, field.type) == enumerations_.end())
+      enumerations_.push_back(field.type);
+  for (const FieldType& type : enumerations_) {
     std::size_t place = 0;
     for (const std::string_view name : enumerators(type)) {
       define(stand_in(type, place), {nullptr, type, static_cast<double>(place)});
@@ -78,7 +85,8 @@ void Expression::define_enumerators() {
 
 /// The text with `field == enumerator` made unambiguous: names may be those of fields too (ed_rule == tc), of several
 /// enumerations (none), or no words (hertz-kuwabara-kono).
-std::string Expression::resolved(const std::string& text) const {
+template <class Owner>
+std::string Expression<Owner>::resolved(const std::string& text) const {
   std::string out;
   std::size_t i = 0;
   const auto copy_while = [&](auto belongs) {
@@ -94,7 +102,8 @@ std::string Expression::resolved(const std::string& text) const {
       out += text[i++];
       continue;
     }
-    const auto field = std::find_if(fields_.begin(), fields_.end(), [&](const Field& f) { return f.name == word; });
+    const auto field =
+        std::find_if(fields_.begin(), fields_.end(), [&](const FieldOf<Owner>& f) { return f.name == word; });
     if (field == fields_.end() || enumerators(field->type).empty()) continue;
     copy_while(is_space);
     if (text.compare(i, 2, "==") != 0 && text.compare(i, 2, "!=") != 0) continue;
@@ -117,7 +126,8 @@ std::string Expression::resolved(const std::string& text) const {
 }
 
 /// Notes that the variable kept at `value` is used; its type.
-FieldType Expression::use(const double* value) {
+template <class Owner>
+FieldType Expression<Owner>::use(const double* value) {
   const auto place = std::find_if(variables_.begin(), variables_.end(),
                                   [&](const Variable& variable) { return &variable.value == value; });
   if (place == variables_.end()) throw UsageError("it has a name that is not known");
@@ -126,7 +136,8 @@ FieldType Expression::use(const double* value) {
   return place->type;
 }
 
-std::string Expression::explain(const mu::ParserError& error) const {
+template <class Owner>
+std::string Expression<Owner>::explain(const mu::ParserError& error) const {
   const std::string& token = error.GetToken();
   if (token == "=") return "'=' assigns; to compare write '=='";
   if (token == "and" || token == "or" || token == "not") return "write && || ! for 'and', 'or', 'not'";
@@ -136,5 +147,9 @@ std::string Expression::explain(const mu::ParserError& error) const {
   const bool means_function = !nearest(token, names_) && nearest(token, functions);
   return fmt::format("unknown name '{}'{}", token, hint(token, means_function ? functions : names_));
 }
+
+template class Expression<Row>;
+template class Expression<Parameters>;
+template class Expression<double>;
 
 }  // namespace sigmasweep

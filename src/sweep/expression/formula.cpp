@@ -1,13 +1,11 @@
 #include "sweep/expression/formula.hpp"
 
-#include <cstddef>
-
 #include "sweep/expression/expression.hpp"
 
 namespace sigmasweep {
 
 struct Formula::Impl {
-  Expression expression;
+  Expression<Row> expression;
 };
 
 Formula::Formula(const std::string& expression, std::span<const Field> fields)
@@ -22,17 +20,19 @@ std::vector<Field> Formula::used() const { return impl_->expression.used(); }
 
 namespace {
 
-/// Some number of a row, under the name of x.
-constexpr Field x_of_row{"x", "1", "the variable", FieldType::real, offsetof(Row, parameters.v0)};
+/// The variable of a function: a number as a field of itself.
+constexpr FieldOf<double> variable{.name = "x", .type = FieldType::real, .offset = 0, .unit = "1"};
 
 }  // namespace
 
-FunctionOfX::FunctionOfX(const std::string& expression) : formula_(expression, std::span(&x_of_row, 1)) {}
+FunctionOfX::FunctionOfX(const std::string& expression)
+    : expression_(std::make_unique<Expression<double>>(expression, std::span(&variable, 1),
+                                                       expression_types::Wanted::number)) {}
 
-double FunctionOfX::operator()(double x) {
-  Row row;
-  set_number(x_of_row, row, x);
-  return formula_(row);
-}
+FunctionOfX::~FunctionOfX() = default;
+FunctionOfX::FunctionOfX(FunctionOfX&&) noexcept = default;
+FunctionOfX& FunctionOfX::operator=(FunctionOfX&&) noexcept = default;
+
+double FunctionOfX::operator()(double x) { return (*expression_)(x); }
 
 }  // namespace sigmasweep

@@ -10,6 +10,9 @@
 
 namespace sigmasweep {
 
+template <class Owner>
+class Expression;
+
 /// A number made from the fields of a row, such as `(1 - eps_eff)/(1 - epsilon)`: the operators and functions of
 /// Where, but a number as a whole.
 class Formula {
@@ -35,10 +38,13 @@ class FunctionOfX {
  public:
   /// Throws UsageError as Formula does.
   explicit FunctionOfX(const std::string& expression);
+  ~FunctionOfX();
+  FunctionOfX(FunctionOfX&&) noexcept;
+  FunctionOfX& operator=(FunctionOfX&&) noexcept;
   double operator()(double x);
 
  private:
-  Formula formula_;
+  std::unique_ptr<Expression<double>> expression_;
 };
 
 }  // namespace sigmasweep

@@ -14,7 +14,7 @@ enum class Kind { number, truth, enumeration };
 
 struct Type {
   Kind kind = Kind::number;
-  FieldType enumeration{};  ///< which, for an enumeration
+  FieldType enumeration{};  ///< which enumeration it is, if it is one
   bool operator==(const Type&) const = default;
 };
 

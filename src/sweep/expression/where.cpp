@@ -4,19 +4,29 @@
 
 namespace sigmasweep {
 
-static_assert(Where::max_length == Expression::max_length);
-
-struct Where::Impl {
-  Expression expression;
+template <class Owner>
+struct WhereOf<Owner>::Impl {
+  static_assert(max_length == Expression<Owner>::max_length);
+  Expression<Owner> expression;
 };
 
-Where::Where(const std::string& expression, std::span<const Field> fields)
+template <class Owner>
+WhereOf<Owner>::WhereOf(const std::string& expression, std::span<const FieldOf<Owner>> fields)
     : impl_(new Impl{{expression, fields, expression_types::Wanted::truth}}) {}
 
-Where::~Where() = default;
-Where::Where(Where&&) noexcept = default;
-Where& Where::operator=(Where&&) noexcept = default;
+template <class Owner>
+WhereOf<Owner>::~WhereOf() = default;
+template <class Owner>
+WhereOf<Owner>::WhereOf(WhereOf&&) noexcept = default;
+template <class Owner>
+WhereOf<Owner>& WhereOf<Owner>::operator=(WhereOf&&) noexcept = default;
 
-bool Where::operator()(const Row& row) { return impl_->expression(row) != 0.0; }
+template <class Owner>
+bool WhereOf<Owner>::operator()(const Owner& owner) {
+  return impl_->expression(owner) != 0.0;
+}
+
+template class WhereOf<Row>;
+template class WhereOf<Parameters>;
 
 }  // namespace sigmasweep

@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 
 #include "base/spelling.hpp"
-#include "sigmasweep/assembly/complete.hpp"
-#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::spec {
@@ -24,39 +22,27 @@ constexpr std::uint64_t max_values = std::uint64_t{1} << 40;
 constexpr std::uint64_t max_stored_values = std::uint64_t{1} << 20;
 constexpr double largest_whole = 0x1p53;  // doubles hold all whole numbers up to here
 
-bool is_whole(const Field& field) { return field.type == FieldType::integer; }
+bool is_whole(const ParameterField& field) { return field.type == FieldType::integer; }
 
 /// Refuses a value that is out of range for its parameter alone, whatever the others are.
-void require_allowed(const Entry& entry, const Field& field, double value) {
+void require_allowed(const Entry& entry, const ParameterField& field, double value) {
   if (is_whole(field) && !(std::floor(value) == value && std::abs(value) <= largest_whole))
     refuse_value(entry, "must be a whole number");
-  Row row;
-  Parameters& others = row.parameters;
-  if (field.name == "width") others.d = 1e300;  // what it may be depends on d: see require_diameters()
-  // Where most is looked at; what its plate may be: see require_plate(), and how many beads: require_lattice().
-  others.geometry = Geometry::vibrated_lattice;
-  others.rows = others.columns = 1;
-  others.alpha = others.A0 = 1.0;
-  others.periods = 10'000'000;
-  others.transient = 0;
-  set_number(field, row, value);
-  if (field.name == "N")
-    others.geometry = Geometry::vibrated_column;
-  else
-    derive_beads(others);
-  const std::string why = why_invalid(row.parameters);
+  const std::string shown =
+      is_whole(field) ? fmt::format("{}", static_cast<std::int64_t>(value)) : fmt::format("{}", value);
+  const std::string why = why_refused(field, value, shown);
   if (!why.empty()) throw SpecError(fmt::format("{}sweep.{}", place(*entry.file, entry.line), why));
 }
 
-double read_value(const Entry& entry, const Field& field) {
-  if (field.type == FieldType::flag) return as_truth(entry) ? 1.0 : 0.0;
+double read_value(const Entry& entry, const ParameterField& field) {
+  if (field.type == FieldType::of<Flag>()) return as_truth(entry) ? 1.0 : 0.0;
   if (const auto names = enumerators(field.type); !names.empty()) return static_cast<double>(as_one_of(entry, names));
   const double value = as_number(entry);
   require_allowed(entry, field, value);
   return value;
 }
 
-std::vector<double> read_list(const Entry& entry, const Field& field) {
+std::vector<double> read_list(const Entry& entry, const ParameterField& field) {
   std::vector<double> values;
   for (const Entry& element : elements(entry)) values.push_back(read_value(element, field));
   if (values.empty()) refuse(entry, "an axis needs at least one value, this list is empty");
@@ -85,8 +71,8 @@ const Entry& need(const Entry& entry, const std::vector<Entry>& keys, std::strin
                             name));
 }
 
-Form read_form(const Entry& entry, const Field& field) {
-  if (field.type == FieldType::flag) refuse(entry, "must be true or false, or a list of them");
+Form read_form(const Entry& entry, const ParameterField& field) {
+  if (field.type == FieldType::of<Flag>()) refuse(entry, "must be true or false, or a list of them");
   if (!enumerators(field.type).empty())
     refuse(entry, fmt::format("must be a name or a list of names: {}", alternatives(enumerators(field.type))));
   const auto keys = entries(as_table(entry), *entry.file, entry.path);
@@ -130,7 +116,7 @@ void require_sensible(const Form& form) {
     refuse_value(form.counted, fmt::format("{} values from {} to {} are not all whole numbers", form.count, from, to));
 }
 
-Sampling sampling_of(const Form& form, const Field& field, std::size_t sobol_dimension) {
+Sampling sampling_of(const Form& form, const ParameterField& field, std::size_t sobol_dimension) {
   const std::uint64_t key = stream_key(form.seed, field.name);
   switch (*form.sample) {
     case 2: return {SampleKind::sobol, form.seed == 0 ? 0 : key, sobol_dimension};
@@ -141,7 +127,7 @@ Sampling sampling_of(const Form& form, const Field& field, std::size_t sobol_dim
 
 }  // namespace
 
-Setting read_setting(const Entry& entry, const Field& field, std::size_t sobol_dimension) {
+Setting read_setting(const Entry& entry, const ParameterField& field, std::size_t sobol_dimension) {
   if (entry.node->is_array()) return {entry, &field, Axis::list(read_list(entry, field)), true};
   if (!entry.node->is_table()) return {entry, &field, Axis::list({read_value(entry, field)})};
   const Form form = read_form(entry, field);

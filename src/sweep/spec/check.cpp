@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sigmasweep/model/geometry.hpp"
+#include "model/fields/conditions.hpp"
 #include "sigmasweep/model/relevance.hpp"
 
 namespace sigmasweep::spec {
@@ -21,16 +21,19 @@ const Setting* first_of(const Way& way, const std::vector<Setting>& settings) {
   return nullptr;
 }
 
-[[noreturn]] void refuse_missing(const Entry& sweep, std::string_view name, const std::vector<Parameters>& kinds) {
-  const bool vibrated = std::ranges::all_of(kinds, is_vibrated), any_lattice = std::ranges::any_of(kinds, is_lattice);
-  const std::string_view size = std::ranges::all_of(kinds, is_lattice) ? "rows" : any_lattice ? "N, rows" : "N";
+[[noreturn]] void refuse_missing(const Entry& sweep, std::string_view name, const std::vector<Parameters>& tuples) {
+  const bool vibrated = std::ranges::all_of(tuples, conditions::vibrates.holds),
+             any_lattice = std::ranges::any_of(tuples, conditions::lattice.holds);
+  const std::string_view size = std::ranges::all_of(tuples, conditions::lattice.holds) ? "rows"
+                                : any_lattice                                          ? "N, rows"
+                                                                                       : "N";
   refuse(sweep, fmt::format("'{}' is missing: {}{}, one of {}, and tc and epsilon (or instead of these K_over_m and "
                             "D_n, or a material) are needed",
                             name, vibrated ? "" : "v0, ", size, vibrated ? "alpha and A0" : "s0 and sigma"));
 }
 
 /// Hard spheres have no contact time: the default only gives sigma its unit.
-bool needs_tc(const Parameters& kind) { return kind.method == Method::md || kind.ed_rule == EdRule::tc; }
+bool needs_tc(const Parameters& tuple) { return tuple.method == Method::md || tuple.ed_rule == EdRule::tc; }
 
 /// Of two parameters that say the same at most one is given, and one where `needed`.
 void require_one_of(const Entry& sweep, const std::vector<Setting>& settings, const Way& names, bool needed,
@@ -77,41 +80,41 @@ void require_one_way(const std::vector<Setting>& settings) {
   if (const Setting* d = find(settings, "d")) refuse(d->entry, "'d' and 'material' conflict: d is the material's");
 }
 
-void require_complete(const Entry& sweep, const std::vector<Setting>& settings, const std::vector<Parameters>& kinds) {
-  const bool all_vibrated = std::ranges::all_of(kinds, is_vibrated);
+void require_complete(const Entry& sweep, const std::vector<Setting>& settings, const std::vector<Parameters>& tuples) {
+  const bool all_vibrated = std::ranges::all_of(tuples, conditions::vibrates.holds);
   const auto require = [&](std::string_view name) {
-    if (!find(settings, name)) refuse_missing(sweep, name, kinds);
+    if (!find(settings, name)) refuse_missing(sweep, name, tuples);
   };
   const auto require_where_used = [&](std::string_view name) {
     const Field& field = *find_field(name);
-    if (std::ranges::any_of(kinds, [&](const Parameters& kind) { return applies_to(field, kind); })) require(name);
+    if (std::ranges::any_of(tuples, [&](const Parameters& tuple) { return applies_to(field, tuple); })) require(name);
   };
   require_where_used("v0");
   if (first_of(by_spring, settings)) {
     require("K_over_m");
   } else if (!first_of(by_material, settings)) {
-    if (std::ranges::any_of(kinds, needs_tc)) require("tc");
+    if (std::ranges::any_of(tuples, needs_tc)) require("tc");
     require("epsilon");
   }
   require_where_used("N");
   require_where_used("rows");
   require_one_of(sweep, settings, {"s0", "sigma"}, !all_vibrated, "sigma = s0/(v0 tc)");
-  require_one_of(sweep, settings, {"alpha", "A0"}, std::ranges::any_of(kinds, is_vibrated),
+  require_one_of(sweep, settings, {"alpha", "A0"}, std::ranges::any_of(tuples, conditions::vibrates.holds),
                  "alpha = A0 (2 pi frequency)^2/gravity");
   for (const std::string_view name : {"beta", "gamma"})
     if (!find(settings, name) &&
-        std::ranges::any_of(kinds, [&](const Parameters& kind) { return applies_to(*find_field(name), kind); }))
+        std::ranges::any_of(tuples, [&](const Parameters& tuple) { return applies_to(*find_field(name), tuple); }))
       refuse(find(settings, "law")->entry, fmt::format("'{}' is missing: law = 'power' needs beta and gamma", name));
 }
 
 void require_soft_lattice(const std::vector<Setting>& settings, const Parameters& tuple) {
-  if (is_lattice(tuple) && tuple.method == Method::ed)
+  if (conditions::lattice.holds(tuple) && tuple.method == Method::ed)
     refuse(find(settings, "method")->entry, "hard spheres, 'ed', are for columns only: a lattice needs method = 'md'");
 }
 
-void require_used(const std::vector<Setting>& settings, const std::vector<Parameters>& kinds) {
+void require_used(const std::vector<Setting>& settings, const std::vector<Parameters>& tuples) {
   const auto used = [&](const Setting& setting) {
-    return std::ranges::any_of(kinds, [&](const Parameters& kind) { return applies_to(*setting.field, kind); });
+    return std::ranges::any_of(tuples, [&](const Parameters& tuple) { return applies_to(*setting.field, tuple); });
   };
   for (const Setting& setting : settings) {
     if (used(setting)) continue;

@@ -23,8 +23,6 @@ constexpr std::array<std::string_view, 7> guide_keys{"slope", "y", "label", "thr
 constexpr std::array<std::string_view, 3> kinds{"points", "trajectories", "stability"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"}, film_axes{"time", "phase"};
 constexpr std::array<std::string_view, 2> forms{"power", "line"};
-constexpr std::array<std::string_view, 2> run_keys{"manager", "tuple_time_limit"};
-constexpr std::array<std::string_view, 3> managers{"auto", "computes", "dedicated"};
 constexpr std::size_t max_plots = 100;
 
 std::string as_field(const Entry& entry) {
@@ -214,7 +212,7 @@ PlotSpec read_plot(const Entry& plot, PlotSpec spec) {
 
 PlotSpec usual_plot(const Grid& grid) {
   PlotSpec spec;
-  if (!std::ranges::all_of(grid.kinds, is_vibrated)) return spec;
+  if (!std::ranges::all_of(grid.representatives, is_vibrated)) return spec;
   spec.x = "alpha";
   spec.y = "h_cm_excess";
   spec.x_log = false;
@@ -236,21 +234,6 @@ std::vector<PlotSpec> read_plots(const Entry& plot, const PlotSpec& usual) {
   const auto main = std::ranges::find(plots, "", &PlotSpec::name);
   if (main != plots.end()) std::rotate(plots.begin(), main, main + 1);
   return plots;
-}
-
-RunTable read_run(const Entry& run) {
-  RunTable table;
-  for (const Entry& entry : entries(as_table(run), *run.file, run.path)) {
-    if (entry.name == "manager") {
-      table.manager = static_cast<ManagerRole>(as_one_of(entry, managers));
-    } else if (entry.name == "tuple_time_limit") {
-      table.tuple_time_limit = as_number(entry);
-      if (!(*table.tuple_time_limit > 0.0)) refuse_value(entry, "must be a time > 0, in s");
-    } else {
-      refuse_unknown(entry, run_keys);
-    }
-  }
-  return table;
 }
 
 }  // namespace sigmasweep::spec

@@ -11,39 +11,37 @@ bool is_enumeration(const ParameterGrid::Member& member) { return !enumerators(m
 using Values = std::vector<double>;  ///< one a member of a group
 
 /// Of a group with enumerations, the different values with numbers as 0 or 1; of others the largest number of each.
-std::set<Values> kinds_of(const ParameterGrid::Group& group) {
-  std::set<Values> kinds;
+std::set<Values> representative_values(const ParameterGrid::Group& group) {
+  std::set<Values> distinct;
   if (std::ranges::none_of(group, is_enumeration)) {
     Values largest;
     for (const ParameterGrid::Member& member : group) largest.push_back(member.axis.bounds().second);
-    kinds.insert(std::move(largest));
-    return kinds;
+    distinct.insert(std::move(largest));
+    return distinct;
   }
   for (std::uint64_t k = 0; k < group.front().axis.size(); ++k) {
     Values values;
     for (const ParameterGrid::Member& member : group)
       values.push_back(is_enumeration(member) || member.axis[k] <= 0.0 ? member.axis[k] : 1.0);
-    kinds.insert(std::move(values));
+    distinct.insert(std::move(values));
   }
-  return kinds;
+  return distinct;
 }
 
 }  // namespace
 
-std::vector<Parameters> kinds_of(const Parameters& base, const std::vector<ParameterGrid::Group>& groups) {
-  std::vector<Parameters> kinds{base};
+std::vector<Parameters> representative_tuples(const Parameters& base, const std::vector<ParameterGrid::Group>& groups) {
+  std::vector<Parameters> tuples{base};
   for (const ParameterGrid::Group& group : groups) {
     std::vector<Parameters> more;
-    for (const Values& values : kinds_of(group))
-      for (const Parameters& kind : kinds) {
-        Row row;
-        row.parameters = kind;
-        for (std::size_t i = 0; i < group.size(); ++i) set_number(*group[i].field, row, values[i]);
-        more.push_back(row.parameters);
+    for (const Values& values : representative_values(group))
+      for (const Parameters& tuple : tuples) {
+        more.push_back(tuple);
+        for (std::size_t i = 0; i < group.size(); ++i) set_number(*group[i].field, more.back(), values[i]);
       }
-    kinds = std::move(more);
+    tuples = std::move(more);
   }
-  return kinds;
+  return tuples;
 }
 
 }  // namespace sigmasweep::spec

@@ -27,12 +27,6 @@ constexpr std::uint64_t max_filtered_slowly = std::uint64_t{1} << 17;
 /// Keys of [sweep] that are no parameters.
 constexpr std::array<std::string_view, 2> other_keys{"zip", "where"};
 
-const Field* parameter(std::string_view name) {
-  for (const Field& field : parameter_fields())
-    if (field.name == name) return &field;
-  return nullptr;
-}
-
 void require_known(const std::vector<Entry>& keys) {
   std::vector<std::string_view> known;
   for (const Field& field : parameter_fields()) known.push_back(field.name);
@@ -62,7 +56,7 @@ std::vector<Setting> read_settings(const std::vector<Entry>& keys, const std::ve
   std::vector<Setting> settings;
   std::map<const Zip*, std::size_t> sobol_axes;  // zipped Sobol axes are dimensions of one sequence
   for (const Entry& key : keys) {
-    const Field* field = parameter(key.name);
+    const ParameterField* field = find_parameter(key.name);
     if (field == nullptr) continue;
     const Zip* zip = zip_of(zips, key.name);
     settings.push_back(read_setting(key, *field, zip ? sobol_axes[zip] : 0));
@@ -110,19 +104,19 @@ void require_countable(const Entry& sweep, const std::vector<ParameterGrid::Grou
 }
 
 Parameters base_of(const std::vector<Setting>& settings) {
-  Row row;
+  Parameters base;
   const Setting* integrator = find(settings, "integrator");
   if (integrator && integrator->axis.bounds().second > 0.0 && find(settings, "tolerance"))
-    row.parameters.steps_per_tc = 0.0;  // chosen by the tolerance, if none are given
+    base.steps_per_tc = 0.0;  // chosen by the tolerance, if none are given
   static_assert(static_cast<int>(Integrator::exact) == 0);
-  for (const Setting& setting : settings) set_number(*setting.field, row, setting.axis[0]);
-  return row.parameters;
+  for (const Setting& setting : settings) set_number(*setting.field, base, setting.axis[0]);
+  return base;
 }
 
 Selection select(const Entry& entry, const std::vector<Setting>& settings, const ParameterGrid& product) {
   const std::string expression = as_string(entry);
   try {
-    Where where(expression, parameter_fields());
+    ParameterWhere where(expression, fields_of_parameters());
     const std::uint64_t most = product.contacts().is_slow()
                                    ? max_filtered_slowly
                                    : max_filtered * short_expression / std::max(short_expression, expression.size());
@@ -130,11 +124,10 @@ Selection select(const Entry& entry, const std::vector<Setting>& settings, const
       refuse(entry, fmt::format("the axes multiply to {} tuples, with a 'where' of this length at most {} are allowed",
                                 product.size(), most));
     Selection selection;
-    Row row;
     for (std::uint64_t i = 0; i < product.size(); ++i) {
-      row.parameters = product.at(i);
-      const bool chosen = where(row);
-      if (chosen) require_soft_lattice(settings, row.parameters);
+      const Parameters tuple = product.at(i);
+      const bool chosen = where(tuple);
+      if (chosen) require_soft_lattice(settings, tuple);
       selection.push(chosen);
     }
     if (selection.size() == 0) refuse_value(entry, "no tuple satisfies it");
@@ -159,12 +152,12 @@ Grid read_sweep(const Entry& sweep) {
   if (zip) require_zippable(*zip, zips, settings);
   const Parameters base = base_of(settings);
   auto groups = groups_of(settings, zips);
-  const std::vector<Parameters> kinds = kinds_of(base, groups);
+  const std::vector<Parameters> tuples = representative_tuples(base, groups);
   if (!where)
-    for (const Parameters& kind : kinds) require_soft_lattice(settings, kind);
+    for (const Parameters& tuple : tuples) require_soft_lattice(settings, tuple);
   require_one_way(settings);
-  require_complete(sweep, settings, kinds);
-  require_used(settings, kinds);
+  require_complete(sweep, settings, tuples);
+  require_used(settings, tuples);
   require_diameters(settings, zips, base);
   require_lattice(settings, zips, base);
   require_plate(settings, zips, base);
@@ -174,7 +167,7 @@ Grid read_sweep(const Entry& sweep) {
   Grid grid{ParameterGrid(base, find(settings, "sigma") ? GapParameter::sigma : GapParameter::s0, std::move(groups)),
             {},
             {},
-            kinds,
+            tuples,
             {}};
   require_pairs(settings, grid.product);
   for (const Setting& setting : settings) {

@@ -14,24 +14,18 @@ namespace sigmasweep::spec {
 
 struct Grid {
   ParameterGrid product;
-  std::vector<const Field*> axes;  ///< parameters that are axes, in spec order
+  std::vector<const ParameterField*> axes;  ///< parameters that are axes, in spec order
   std::vector<std::uint64_t> axis_sizes;
-  std::vector<Parameters> kinds;       ///< of tuples that there are (spec_kinds.hpp)
-  std::optional<Selection> selection;  ///< of the product's indices, if there is a `where`
+  std::vector<Parameters> representatives;  ///< see representative_tuples()
+  std::optional<Selection> selection;       ///< of the product's indices, if there is a `where`
 };
 
 Grid read_sweep(const Entry& sweep);
 /// What is plotted where a spec does not say it.
 PlotSpec usual_plot(const Grid& grid);
 std::vector<PlotSpec> read_plots(const Entry& plot, const PlotSpec& usual);
-struct RunTable {
-  ManagerRole manager = ManagerRole::automatic;
-  std::optional<double> tuple_time_limit{};
-};
-RunTable read_run(const Entry& run);
+RunSpec read_run(const Entry& run);
 /// With the rows that it chooses.
 TrajectorySpec read_trajectory(const Entry& trajectory, const Sweep& sweep);
-/// The sweep's rows are its scenes.
-PrecisionSpec read_precision(const Entry& precision, const Sweep& sweep);
 
 }  // namespace sigmasweep::spec

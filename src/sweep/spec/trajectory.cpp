@@ -21,9 +21,9 @@ double as_duration(const Entry& entry) {
   return duration;
 }
 
-Where as_condition(const Entry& entry) {
+ParameterWhere as_condition(const Entry& entry) {
   try {
-    return Where(as_string(entry), parameter_fields());
+    return ParameterWhere(as_string(entry), fields_of_parameters());
   } catch (const UsageError& error) {
     refuse_value(entry, error.what());
   }
@@ -37,13 +37,11 @@ std::vector<std::uint64_t> chosen_rows(const Entry& table, const Entry* where, c
   if (where == nullptr && sweep.size() > TrajectorySpec::max_files)
     too_many(table, TrajectorySpec::max_files, fmt::format("{} rows are {} files", sweep.size(), sweep.size()));
   if (sweep.size() > max_looked_at) too_many(table, max_looked_at, fmt::format("{} rows to choose from", sweep.size()));
-  std::optional<Where> condition;
+  std::optional<ParameterWhere> condition;
   if (where != nullptr) condition = as_condition(*where);
   std::vector<std::uint64_t> rows;
-  Row row;
   for (std::uint64_t k = 0; k < sweep.size(); ++k) {
-    row.parameters = sweep.at(k);
-    if (condition && !(*condition)(row)) continue;
+    if (condition && !(*condition)(sweep.at(k))) continue;
     if (rows.size() == TrajectorySpec::max_files) too_many(*where, TrajectorySpec::max_files, "too many rows");
     rows.push_back(k);
   }

@@ -26,18 +26,11 @@ std::array<double, 2> ends(const std::vector<Setting>& settings, std::string_vie
 }
 
 /// s0 or sigma, as given; s0 where neither is, as what vibrates may have it.
-const Field& gap_of(const std::vector<Setting>& settings) {
-  return *find_field(find(settings, "sigma") ? "sigma" : "s0");
+const ParameterField& gap_of(const std::vector<Setting>& settings) {
+  return *find_parameter(find(settings, "sigma") ? "sigma" : "s0");
 }
 
-GapParameter kind_of(const Field& gap) { return gap.name == "s0" ? GapParameter::s0 : GapParameter::sigma; }
-
-void set(Parameters& parameters, const Field& field, double value) {
-  Row row;
-  row.parameters = parameters;
-  set_number(field, row, value);
-  parameters = row.parameters;
-}
+GapParameter kind_of(const ParameterField& gap) { return gap.name == "s0" ? GapParameter::s0 : GapParameter::sigma; }
 
 /// Values of a long group that tell most about it: where an axis has its extremes.
 ParameterGrid::Group extremes(const ParameterGrid::Group& group) {
@@ -102,7 +95,7 @@ void require_diameters(const std::vector<Setting>& settings, const std::vector<Z
   if (const Setting* material = find(settings, "material")) {
     smallest = 1e300;
     for (std::uint64_t k = 0; k < material->axis.size(); ++k) {
-      set(beads, *material->field, material->axis[k]);
+      set_number(*material->field, beads, material->axis[k]);
       beads.law = Law::hooke;  // the diameter is the same with any
       derive_material(beads);
       smallest = std::min(smallest, beads.d);
@@ -140,7 +133,7 @@ void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>&
         p.gravity = gravity;
         p.frequency = frequency;
         p.alpha = p.A0 = 0.0;
-        set(p, *given->field, value);
+        set_number(*given->field, p, value);
         derive_plate_motion(p);
         if (const std::string why = why_invalid(p); !why.empty())
           refuse(given->entry, fmt::format("with gravity = {}, frequency = {} and {} = {}: {}", gravity, frequency,
@@ -172,7 +165,7 @@ void require_finite_gap(const std::vector<Setting>& settings, const Parameters& 
         Parameters p;
         p.v0 = v0;
         p.tc = tc;
-        set(p, *given.field, value);
+        set_number(*given.field, p, value);
         if (const std::string why = why_invalid(complete(p, kind_of(*given.field))); !why.empty())
           refuse(given.entry,
                  fmt::format("with v0 = {}, tc = {} and {} = {}: {}", v0, tc, given.field->name, value, why));
@@ -183,7 +176,7 @@ void require_pairs(const std::vector<Setting>& settings, const ParameterGrid& pr
   const Setting* stiffness = find(settings, "K_over_m");
   if (!stiffness) stiffness = find(settings, "material");
   if (!stiffness) return;
-  const Field& gap = gap_of(settings);
+  const ParameterField& gap = gap_of(settings);
   const bool linear = !find(settings, "law") || find(settings, "law")->axis.bounds().second == 0.0;
   static_assert(static_cast<int>(Law::hooke) == 0);
   const Parameters& base = product.base();
@@ -196,7 +189,7 @@ void require_pairs(const std::vector<Setting>& settings, const ParameterGrid& pr
       Parameters p = pair;
       p.width = 0.0;  // looked at on its own, as is the plate
       p.geometry = Geometry::column;
-      set(p, gap, value);
+      set_number(gap, p, value);
       derive_gap(p, kind_of(gap));
       if (const std::string why = why_invalid(p); !why.empty())
         refuse(stiffness->entry, fmt::format("with v0 = {} and {} = {}: {}", p.v0, gap.name, value, why));

@@ -8,6 +8,7 @@
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/fixed_step/column/collision.hpp"
+#include "support/parameters.hpp"
 #include "support/reference_values.hpp"
 
 /// The schemes of fixed step against the reference values.
@@ -23,13 +24,8 @@ const reference::Soft* find(std::int64_t N, double epsilon, double sigma) {
 }
 
 Parameters of(const reference::Soft& r, Integrator integrator, double steps_per_tc) {
-  Parameters p;
-  p.N = r.N;
-  p.epsilon = r.epsilon;
-  p.sigma = r.sigma;
-  p.integrator = integrator;
-  p.steps_per_tc = steps_per_tc;
-  return complete(p, GapParameter::sigma);
+  return soft_column(
+      {.sigma = r.sigma, .epsilon = r.epsilon, .steps_per_tc = steps_per_tc, .N = r.N, .integrator = integrator});
 }
 
 class FixedStepConvergence : public testing::TestWithParam<Integrator> {

@@ -16,6 +16,7 @@
 #include "solve/fixed_step/column/collision.hpp"
 #include "solve/fixed_step/scheme_info.hpp"
 #include "solve/fixed_step/schemes/scheme_list.hpp"
+#include "support/parameters.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -78,11 +79,7 @@ TEST(Stability, LimitsWithoutDamping) {
 
 /// Of a column of ten beads at tc/50.
 Parameters ten_beads(Integrator integrator, double eps, double steps_per_tc) {
-  Parameters p;
-  p.epsilon = eps;
-  p.integrator = integrator;
-  p.steps_per_tc = steps_per_tc;
-  return p;
+  return soft_column({.epsilon = eps, .steps_per_tc = steps_per_tc, .integrator = integrator});
 }
 
 // Measured: gear5 with one evaluation a step is stable for about 2 zeta omega dt < 0.16, in a chain of N = 10 at tc/50

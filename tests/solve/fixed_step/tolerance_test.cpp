@@ -9,6 +9,7 @@
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/fixed_step/collision.hpp"
+#include "support/parameters.hpp"
 
 /// Schemes of fixed step that choose the step by a tolerance.
 namespace sigmasweep {
@@ -21,12 +22,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FixedStepTolerance,
                          [](const auto& scheme) { return std::string(name_of(scheme.param)); });
 
 Parameters tuple(std::int64_t N, double sigma, double eps) {
-  Parameters p;
-  p.N = N;
-  p.sigma = sigma;
-  p.epsilon = eps;
-  p.steps_per_tc = 0.0;
-  return complete(p, GapParameter::sigma);
+  return soft_column({.sigma = sigma, .epsilon = eps, .steps_per_tc = 0.0, .N = N});
 }
 
 /// In quadruple precision, settled far below every tolerance here.

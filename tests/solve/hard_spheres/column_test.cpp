@@ -8,6 +8,7 @@
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/hard_spheres/collision.hpp"
+#include "support/parameters.hpp"
 #include "support/reference_values.hpp"
 
 /// Columns of hard spheres: the reference values, and what must hold whatever the numbers.
@@ -15,14 +16,7 @@ namespace sigmasweep {
 namespace {
 
 Parameters ed(std::int64_t N, double epsilon, Wall wall, double s0, double v0 = 1.0) {
-  Parameters p;
-  p.method = Method::ed;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.wall = wall;
-  p.s0 = s0;
-  p.v0 = v0;
-  return complete(p, GapParameter::s0);
+  return hard_column({.v0 = v0, .s0 = s0, .epsilon = epsilon, .N = N, .wall = wall});
 }
 
 class HardReference : public testing::TestWithParam<reference::Hard> {};

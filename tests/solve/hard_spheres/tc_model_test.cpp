@@ -6,6 +6,7 @@
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/hard_spheres/collision.hpp"
+#include "support/parameters.hpp"
 #include "support/reference_values.hpp"
 
 /// Hard spheres whose collisions are elastic where they follow on each other within tc (the TC model).
@@ -13,14 +14,7 @@ namespace sigmasweep {
 namespace {
 
 Parameters tc_model(std::int64_t N, double epsilon, double sigma, Wall wall = Wall::paper, EdRule rule = EdRule::tc) {
-  Parameters p;
-  p.method = Method::ed;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.sigma = sigma;
-  p.wall = wall;
-  p.ed_rule = rule;
-  return complete(p, GapParameter::sigma);
+  return hard_column({.sigma = sigma, .epsilon = epsilon, .N = N, .wall = wall, .ed_rule = rule});
 }
 
 class TcReference : public testing::TestWithParam<reference::HardTc> {};

@@ -12,6 +12,7 @@
 #include "sigmasweep/sweep/sweep.hpp"
 #include "solve/fixed_step/column/collision.hpp"
 #include "studies/precision/text.hpp"
+#include "studies/sections.hpp"
 #include "support/soft_column.hpp"
 
 namespace sigmasweep {
@@ -133,16 +134,16 @@ TEST(Precision, TooLongIsLeftOut) {
 
 TEST(Precision, SpecIsRead) {
   const std::string sweep = "[sweep]\nv0 = 1\ntc = 1e-5\nN = [1, 2]\nepsilon = 0.9\nsigma = 1\n";
-  EXPECT_FALSE(Sweep::parse(sweep, "s").precision());
+  EXPECT_FALSE(precision_of(Sweep::parse(sweep, "s", study_sections)));
   const std::string table = "[precision]\nintegrators = ['rk4']\nsteps_per_tc = [50]\ntuples = 3\n";
-  const auto read = Sweep::parse(sweep + table, "s").precision();
+  const auto read = precision_of(Sweep::parse(sweep + table, "s", study_sections));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->integrators, std::vector{Integrator::rk4});
   EXPECT_EQ(read->steps_per_tc, std::vector{50.0});
   EXPECT_EQ(read->tuples, 3u);
   for (const char* wrong : {"integrators = ['rk5']", "integrators = ['rk4', 'rk4']", "steps_per_tc = []", "tuples = 0",
                             "tolerances = [2.0]", "seconds = 0", "tupels = 3"})
-    EXPECT_THROW(Sweep::parse(sweep + "[precision]\n" + wrong + "\n", "s"), SpecError) << wrong;
+    EXPECT_THROW(Sweep::parse(sweep + "[precision]\n" + wrong + "\n", "s", study_sections), SpecError) << wrong;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/solve/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "support/columns.hpp"
 #include "support/spec_refusal.hpp"
 
 /// Specs with geometry = "lattice" and "vibrated-lattice".
@@ -19,13 +20,13 @@ using namespace sigmasweep;
 namespace {
 
 /// [sweep] on line 1, `more` from line 5 on.
-std::string spec(const std::string& more, const std::string& geometry = "\"lattice\"") {
+std::string spec_with(const std::string& more, const std::string& geometry = "\"lattice\"") {
   return "[sweep]\ngeometry = " + geometry + "\ntc = 2e-5\nepsilon = 0.9\n" + more + "\n";
 }
-Sweep with(const std::string& more) { return Sweep::parse(spec(more), "lattice.toml"); }
+Sweep with(const std::string& more) { return Sweep::parse(spec_with(more), "lattice.toml"); }
 
 std::string refusal(const std::string& text) { return refusal_of(text, "lattice.toml"); }
-std::string wrong(const std::string& more) { return refusal(spec(more)); }
+std::string wrong(const std::string& more) { return refusal(spec_with(more)); }
 
 std::vector<std::string> columns(const Sweep& sweep) {
   std::vector<std::string> names;
@@ -71,16 +72,11 @@ TEST(LatticeSweep, TakesSpringsAndMaterialsToo) {
 }
 
 TEST(LatticeSweep, HasItsOwnColumns) {
-  EXPECT_EQ(columns(with(flies)), (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "rows",
-                                                            "columns", "eps_eff", "eps_eff_error", "Er_Ef", "Er_E0",
-                                                            "v_cm", "t_k", "x_max", "contacts", "end", "status"}));
+  EXPECT_EQ(columns(with(flies)), golden::table_of(Geometry::lattice));
   EXPECT_EQ(std::ranges::count(columns(with(flies + "D_t = [1, 2]")), "D_t"), 1);
   EXPECT_EQ(std::ranges::count(columns(with(flies + "integrator = \"rk4\"")), "predicted_growth"), 1);
-  EXPECT_EQ(columns(Sweep::parse(spec(vibrates, "\"vibrated-lattice\""), "l")),
-            (std::vector<std::string>{"tc",         "N",           "epsilon", "method",    "rows",     "columns",
-                                      "frequency",  "alpha",       "A0",      "periods",   "x_max",    "h_cm",
-                                      "h_cm_error", "h_cm_excess", "E_r",     "cm_period", "power_in", "power_lost",
-                                      "imbalance",  "contacts",    "end",     "status"}));
+  EXPECT_EQ(columns(Sweep::parse(spec_with(vibrates, "\"vibrated-lattice\""), "l")),
+            golden::table_of(Geometry::vibrated_lattice));
 }
 
 TEST(LatticeSweep, CountsItsBeadsItself) {
@@ -90,18 +86,18 @@ TEST(LatticeSweep, CountsItsBeadsItself) {
   EXPECT_EQ(wrong("v0 = 1\ns0 = 0"),
             "lattice.toml:1: sweep: 'rows' is missing: v0, rows, one of s0 and sigma, and tc and epsilon (or instead "
             "of these K_over_m and D_n, or a material) are needed");
-  EXPECT_EQ(refusal(spec("alpha = 2", "\"vibrated-lattice\"")),
+  EXPECT_EQ(refusal(spec_with("alpha = 2", "\"vibrated-lattice\"")),
             "lattice.toml:1: sweep: 'rows' is missing: rows, one of alpha and A0, and tc and epsilon (or instead of "
             "these K_over_m and D_n, or a material) are needed");
   expect_part(wrong("rows = 10\ns0 = 0"), "'v0' is missing");
   expect_part(wrong("rows = 10\nv0 = 1"), "one of 's0' and 'sigma' is missing");
-  expect_part(refusal(spec("rows = 10", "\"vibrated-lattice\"")), "one of 'alpha' and 'A0' is missing");
+  expect_part(refusal(spec_with("rows = 10", "\"vibrated-lattice\"")), "one of 'alpha' and 'A0' is missing");
 }
 
 TEST(LatticeSweep, BesideColumnsHasNForThem) {
-  const Sweep sweep = Sweep::parse(spec("v0 = 0.05\ns0 = 0\nrows = [2, 3]\nN = [2, 3]\ncolumns = 5\n"
-                                        "zip = [[\"rows\", \"N\"]]\nseed = 1\nwidth = 1e-4",
-                                        both),
+  const Sweep sweep = Sweep::parse(spec_with("v0 = 0.05\ns0 = 0\nrows = [2, 3]\nN = [2, 3]\ncolumns = 5\n"
+                                             "zip = [[\"rows\", \"N\"]]\nseed = 1\nwidth = 1e-4",
+                                             both),
                                    "l");
   ASSERT_EQ(sweep.size(), 4u);  // geometry first
   EXPECT_EQ(sweep.at(0).N, 10);
@@ -111,19 +107,19 @@ TEST(LatticeSweep, BesideColumnsHasNForThem) {
   EXPECT_EQ(sweep.at(3).rows, 3);  // of no meaning, but what a plot of both may go against
   for (const char* present : {"N", "rows", "columns", "geometry"})
     EXPECT_EQ(std::ranges::count(columns(sweep), present), 1) << present;
-  expect_part(refusal(spec("v0 = 1\ns0 = 0\nrows = 2", both)), "'N' is missing: v0, N, rows, one of");
-  expect_part(refusal(spec("v0 = 1\ns0 = 0\nN = 2", both)), "'rows' is missing: v0, N, rows, one of");
+  expect_part(refusal(spec_with("v0 = 1\ns0 = 0\nrows = 2", both)), "'N' is missing: v0, N, rows, one of");
+  expect_part(refusal(spec_with("v0 = 1\ns0 = 0\nN = 2", both)), "'rows' is missing: v0, N, rows, one of");
 }
 
 TEST(LatticeSweep, ColumnsHaveNoneOfItsParameters) {
   for (const char* key : {"rows = 10", "columns = 13", "D_t = 0", "side_walls = \"fixed\""}) {
-    EXPECT_EQ(refusal(spec("v0 = 1\ns0 = 0\nN = 3\n" + std::string(key), "\"column\"")),
+    EXPECT_EQ(refusal(spec_with("v0 = 1\ns0 = 0\nN = 3\n" + std::string(key), "\"column\"")),
               "lattice.toml:8: sweep." + std::string(key).substr(0, std::string(key).find(' ')) +
                   ": no tuple uses it: it needs geometry = 'lattice' or 'vibrated-lattice'");
-    expect_part(refusal(spec("alpha = 2\nN = 3\n" + std::string(key), "\"vibrated-column\"")), "no tuple uses it");
+    expect_part(refusal(spec_with("alpha = 2\nN = 3\n" + std::string(key), "\"vibrated-column\"")), "no tuple uses it");
   }
   expect_part(wrong(flies + "alpha = 2"), "it needs geometry = 'vibrated-column' or 'vibrated-lattice'");
-  expect_part(refusal(spec(vibrates + "tolerance = 1e-6", "\"vibrated-lattice\"")),
+  expect_part(refusal(spec_with(vibrates + "tolerance = 1e-6", "\"vibrated-lattice\"")),
               "it needs geometry = 'column' or 'lattice'");
 }
 
@@ -146,28 +142,30 @@ TEST(LatticeSweep, RefusesBadLattices) {
 TEST(LatticeSweep, IsSoft) {
   const std::string why = "sweep.method: hard spheres, 'ed', are for columns only: a lattice needs method = 'md'";
   EXPECT_EQ(wrong(flies + "method = \"ed\""), "lattice.toml:8: " + why);
-  EXPECT_EQ(refusal(spec("method = [\"md\", \"ed\"]\n" + vibrates, "\"vibrated-lattice\"")), "lattice.toml:5: " + why);
-  EXPECT_EQ(refusal(spec(vibrates + "method = \"ed\"", "\"vibrated-lattice\"")), "lattice.toml:7: " + why);
+  EXPECT_EQ(refusal(spec_with("method = [\"md\", \"ed\"]\n" + vibrates, "\"vibrated-lattice\"")),
+            "lattice.toml:5: " + why);
+  EXPECT_EQ(refusal(spec_with(vibrates + "method = \"ed\"", "\"vibrated-lattice\"")), "lattice.toml:7: " + why);
   const std::string mixed = flies + "N = 10\nmethod = [\"md\", \"ed\"]\n";
-  EXPECT_EQ(refusal(spec(mixed, both)), "lattice.toml:9: " + why);
-  EXPECT_EQ(refusal(spec(mixed + "zip = [[\"geometry\", \"method\"]]", both)), "accepted");
-  EXPECT_EQ(refusal(spec(mixed + "where = \"geometry == column || method == md\"", both)), "accepted");
-  EXPECT_EQ(refusal(spec(mixed + "where = \"geometry == lattice || method == md\"", both)), "lattice.toml:9: " + why);
+  EXPECT_EQ(refusal(spec_with(mixed, both)), "lattice.toml:9: " + why);
+  EXPECT_EQ(refusal(spec_with(mixed + "zip = [[\"geometry\", \"method\"]]", both)), "accepted");
+  EXPECT_EQ(refusal(spec_with(mixed + "where = \"geometry == column || method == md\"", both)), "accepted");
+  EXPECT_EQ(refusal(spec_with(mixed + "where = \"geometry == lattice || method == md\"", both)),
+            "lattice.toml:9: " + why);
 }
 
 TEST(LatticeSweep, HasTrajectoriesAndStudies) {
   EXPECT_EQ(wrong(flies + "[precision]\n"), "accepted");
   EXPECT_EQ(wrong(flies + "integrator = \"rk4\"\n[plot]\nkind = \"stability\"\n"), "accepted");
-  EXPECT_EQ(refusal(spec(vibrates + "[precision]\n", "\"vibrated-lattice\"")), "accepted");
+  EXPECT_EQ(refusal(spec_with(vibrates + "[precision]\n", "\"vibrated-lattice\"")), "accepted");
   EXPECT_EQ(wrong(flies + "[trajectory]\n"), "accepted");
-  EXPECT_EQ(refusal(spec(flies + "N = 3\n[trajectory]\nwhere = \"geometry == column\"", both)), "accepted");
-  EXPECT_EQ(refusal(spec(vibrates + "[trajectory]\n", "\"vibrated-lattice\"")), "accepted");
+  EXPECT_EQ(refusal(spec_with(flies + "N = 3\n[trajectory]\nwhere = \"geometry == column\"", both)), "accepted");
+  EXPECT_EQ(refusal(spec_with(vibrates + "[trajectory]\n", "\"vibrated-lattice\"")), "accepted");
 }
 
 TEST(LatticeSweep, IsPlottedLikeAColumn) {
   EXPECT_EQ(with(flies).plots().front().x, "sigma");
   EXPECT_EQ(with(flies).plots().front().y, "eps_eff");
-  EXPECT_EQ(Sweep::parse(spec(vibrates, "\"vibrated-lattice\""), "l").plots().front().y, "h_cm_excess");
+  EXPECT_EQ(Sweep::parse(spec_with(vibrates, "\"vibrated-lattice\""), "l").plots().front().y, "h_cm_excess");
   EXPECT_EQ(wrong(flies + "where = \"side_walls == periodic && rows*columns == N\"\n"
                           "[plot]\nx = \"geometry == lattice ? rows : N\"\nseries = [\"side_walls\", \"D_t\"]"),
             "accepted");

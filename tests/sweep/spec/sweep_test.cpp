@@ -10,6 +10,7 @@
 #include <xxhash.h>
 
 #include "sigmasweep/base/errors.hpp"
+#include "support/columns.hpp"
 
 using namespace sigmasweep;
 
@@ -251,9 +252,7 @@ TEST(Spec, ColumnsAreFixedPlusAxesPlusResults) {
     for (const Field& field : sweep.columns()) all.emplace_back(field.name);
     return all;
   };
-  std::vector<std::string> expected{
-      "v0",    "tc",    "s0",   "sigma", "N",     "epsilon",  "method", "eps_eff", "eps_eff_error",
-      "Er_Ef", "Er_E0", "v_cm", "t_k",   "x_max", "contacts", "end",    "status"};
+  auto expected = golden::table_of(Geometry::column);
   EXPECT_EQ(names(with("sigma = 1\nwall = \"matched\"")), expected);
   expected.insert(expected.begin() + 7, {"wall", "tolerance"});
   EXPECT_EQ(names(with("sigma = 1\ntolerance = [1e-8, 1e-10]\nwall = [\"paper\", \"matched\"]")), expected);

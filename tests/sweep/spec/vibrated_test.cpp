@@ -9,6 +9,7 @@
 #include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/solve/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "support/columns.hpp"
 #include "support/spec_refusal.hpp"
 
 /// Specs with geometry = "vibrated-column".
@@ -17,13 +18,13 @@ using namespace sigmasweep;
 namespace {
 
 /// [sweep] on line 1, `more` from line 5 on.
-std::string spec(const std::string& more, const std::string& geometry = "\"vibrated-column\"") {
+std::string spec_with(const std::string& more, const std::string& geometry = "\"vibrated-column\"") {
   return "[sweep]\ngeometry = " + geometry + "\nN = 10\nepsilon = 0.92\n" + more + "\n";
 }
-Sweep with(const std::string& more) { return Sweep::parse(spec(more), "vib.toml"); }
+Sweep with(const std::string& more) { return Sweep::parse(spec_with(more), "vib.toml"); }
 
 std::string refusal(const std::string& text) { return refusal_of(text, "vib.toml"); }
-std::string wrong(const std::string& more) { return refusal(spec(more)); }
+std::string wrong(const std::string& more) { return refusal(spec_with(more)); }
 
 std::vector<std::string> columns(const Sweep& sweep) {
   std::vector<std::string> names;
@@ -50,23 +51,18 @@ TEST(VibratedSweep, NeedsNeitherSpeedNorGap) {
 }
 
 TEST(VibratedSweep, HasItsOwnColumns) {
-  EXPECT_EQ(
-      columns(with(soft + "alpha = [2, 4]")),
-      (std::vector<std::string>{
-          "tc",       "N",          "epsilon",    "method",      "frequency",  "alpha",          "A0",  "periods",
-          "x_max",    "h_cm",       "h_cm_error", "h_cm_excess", "separation", "separation_max", "E_r", "cm_period",
-          "power_in", "power_lost", "imbalance",  "contacts",    "end",        "status"}));
+  EXPECT_EQ(columns(with(soft + "alpha = [2, 4]")), golden::table_of(Geometry::vibrated_column));
   const auto hard = columns(with("method = \"ed\"\nalpha = 2"));
   EXPECT_EQ(std::ranges::count(hard, "x_max"), 0);
   EXPECT_EQ(std::ranges::count(hard, "tc"), 0);
-  const auto flying = columns(Sweep::parse(spec("v0 = 1\ns0 = 0\ntc = 1e-5", "\"column\""), "vib.toml"));
+  const auto flying = columns(Sweep::parse(spec_with("v0 = 1\ns0 = 0\ntc = 1e-5", "\"column\""), "vib.toml"));
   for (const char* absent : {"h_cm", "gravity", "alpha", "periods", "geometry"})
     EXPECT_EQ(std::ranges::count(flying, absent), 0) << absent;
 }
 
 TEST(VibratedSweep, MixedWithFlyingColumnsHasBoth) {
   const std::string both = "[\"column\", \"vibrated-column\"]";
-  const Sweep sweep = Sweep::parse(spec("v0 = 0.5\nsigma = 2\nalpha = 2\n" + soft, both), "vib.toml");
+  const Sweep sweep = Sweep::parse(spec_with("v0 = 0.5\nsigma = 2\nalpha = 2\n" + soft, both), "vib.toml");
   const auto names = columns(sweep);
   for (const char* present : {"v0", "sigma", "geometry", "alpha", "eps_eff", "h_cm"})
     EXPECT_EQ(std::ranges::count(names, present), 1) << present;
@@ -74,8 +70,8 @@ TEST(VibratedSweep, MixedWithFlyingColumnsHasBoth) {
   EXPECT_EQ(sweep.at(0).A0, 0.0);
   EXPECT_EQ(sweep.at(1).s0, 0.0);
   EXPECT_GT(sweep.at(1).A0, 0.0);
-  expect_part(refusal(spec("sigma = 2\nalpha = 2\n" + soft, both)), "'v0' is missing");
-  expect_part(refusal(spec("v0 = 2\nalpha = 2\n" + soft, both)), "one of 's0' and 'sigma' is missing");
+  expect_part(refusal(spec_with("sigma = 2\nalpha = 2\n" + soft, both)), "'v0' is missing");
+  expect_part(refusal(spec_with("v0 = 2\nalpha = 2\n" + soft, both)), "one of 's0' and 'sigma' is missing");
 }
 
 TEST(VibratedSweep, RefusesWhatIsMissingOrTwice) {
@@ -101,7 +97,7 @@ TEST(VibratedSweep, RefusesWhatItDoesNotUse) {
   EXPECT_EQ(wrong(plate + "law = \"hertz\"\nv0 = 1"), "accepted");
   expect_part(wrong(plate + "law = \"hertz\""), "'v0' is missing");
   const auto flying = [](const std::string& more) {
-    return refusal(spec("v0 = 1\ns0 = 0\ntc = 1e-5\n" + more, "\"column\""));
+    return refusal(spec_with("v0 = 1\ns0 = 0\ntc = 1e-5\n" + more, "\"column\""));
   };
   for (const char* key :
        {"gravity = 9.81", "frequency = 20", "alpha = 2", "A0 = 1e-3", "periods = 30", "transient = 3"})
@@ -157,9 +153,10 @@ TEST(VibratedSweep, FilmsGoAgainstTimeOrPhase) {
   EXPECT_FALSE(with(film + "x = \"time\"").plots().front().by_phase);
   EXPECT_TRUE(with(film + "x = \"phase\"").plots().front().by_phase);
   expect_part(wrong(film + "x = \"alpha\""), "must be 'time' or 'phase'");
-  expect_part(refusal(spec("v0 = 1\ns0 = 0\ntc = 1e-5\n[trajectory]\n[plot]\nkind = \"trajectories\"\nx = \"phase\"",
-                           "\"column\"")),
-              "x = 'phase' needs geometry = 'vibrated-column'");
+  expect_part(
+      refusal(spec_with("v0 = 1\ns0 = 0\ntc = 1e-5\n[trajectory]\n[plot]\nkind = \"trajectories\"\nx = \"phase\"",
+                        "\"column\"")),
+      "x = 'phase' needs geometry = 'vibrated-column'");
 }
 
 TEST(VibratedSweep, CostGoesWithThePeriods) {

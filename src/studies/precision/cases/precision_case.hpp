@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "sigmasweep/studies/precision/study.hpp"
+#include "studies/precision/study.hpp"
 
 /// The parts of a precision study that depend on the kind of scene: the study itself knows no solver.
 namespace sigmasweep {

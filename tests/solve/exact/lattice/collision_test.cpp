@@ -14,6 +14,7 @@
 #include "sigmasweep/model/result.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/fixed_step/lattice/collision.hpp"
+#include "support/parameters.hpp"
 
 /// Lattices of discs from event to event, against an independent program (an exact reduction to a chain of rows where
 /// all columns move alike; Runge-Kutta with steps of tc/400 and DOP853 where they do not).
@@ -21,16 +22,9 @@ namespace sigmasweep {
 namespace {
 
 Parameters parameters(std::int64_t rows, std::int64_t columns, double epsilon, double sigma, double d = 1000.0) {
-  Parameters p;
-  p.geometry = Geometry::lattice;
-  p.rows = rows;
-  p.columns = columns;
-  p.epsilon = epsilon;
-  p.v0 = 0.05;
-  p.tc = 2e-5;
-  p.sigma = sigma;
-  p.d = d * p.v0 * p.tc;
-  return complete(p, GapParameter::sigma);
+  constexpr double v0 = 0.05, tc = 2e-5;
+  return lattice(
+      {.v0 = v0, .tc = tc, .sigma = sigma, .epsilon = epsilon, .d = d * v0 * tc, .rows = rows, .columns = columns});
 }
 
 Parameters rubbing(Parameters p, double D_t_over_D_n) {

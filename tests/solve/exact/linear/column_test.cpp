@@ -8,6 +8,7 @@
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
+#include "support/parameters.hpp"
 #include "support/reference_values.hpp"
 
 namespace {
@@ -15,13 +16,7 @@ namespace {
 using namespace sigmasweep;
 
 Parameters tuple(std::int64_t N, double epsilon, double sigma, double v0 = 0.2, double tc = 1e-5) {
-  Parameters p;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.v0 = v0;
-  p.tc = tc;
-  p.sigma = sigma;
-  return complete(p, GapParameter::sigma);
+  return soft_column({.v0 = v0, .tc = tc, .sigma = sigma, .epsilon = epsilon, .N = N});
 }
 
 class SoftReference : public testing::TestWithParam<reference::Soft> {};

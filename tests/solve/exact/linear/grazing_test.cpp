@@ -9,6 +9,7 @@
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
@@ -21,13 +22,7 @@ struct Family {
   double width = 0.0;
 
   Parameters at(double sigma) const {
-    Parameters p;
-    p.N = N;
-    p.epsilon = epsilon;
-    p.law = law;
-    p.width = width * p.d;
-    p.sigma = sigma;
-    return complete(p, GapParameter::sigma);
+    return soft_column({.sigma = sigma, .epsilon = epsilon, .width = width * Parameters{}.d, .N = N, .law = law});
   }
 };
 

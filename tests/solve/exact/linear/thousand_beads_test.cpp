@@ -9,18 +9,14 @@
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/books.hpp"
 #include "solve/exact/linear/collision.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
 using namespace sigmasweep;
 
 Parameters tuple(double epsilon, double sigma, Method method = Method::md) {
-  Parameters p;
-  p.N = 1000;
-  p.epsilon = epsilon;
-  p.sigma = sigma;
-  p.method = method;
-  return complete(p, GapParameter::sigma);
+  return completed({.sigma = sigma, .epsilon = epsilon, .N = 1000, .method = method});
 }
 
 void expect_result(const SimulationResult& c) {

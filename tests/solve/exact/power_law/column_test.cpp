@@ -13,6 +13,7 @@
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/power_law/collision.hpp"
 #include "support/error_bars.hpp"
+#include "support/parameters.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -31,15 +32,15 @@ Parameters fig3(Law law, double K_over_m, double D_n, std::int64_t N) {
 }
 
 Parameters touching_pair(Law law, double beta, double gamma, double epsilon) {
-  Parameters p;
-  p.law = law;
-  p.beta = beta;
-  p.gamma = gamma;
-  p.epsilon = epsilon;
-  p.wall = Wall::matched;  // the bead moves against the wall as two beads against each other
-  p.N = 1;
-  p.v0 = p.tc = 1.0;
-  return complete(p, GapParameter::s0);
+  // The bead moves against the wall as two beads against each other.
+  return soft_column({.v0 = 1.0,
+                      .tc = 1.0,
+                      .epsilon = epsilon,
+                      .beta = beta,
+                      .gamma = gamma,
+                      .N = 1,
+                      .wall = Wall::matched,
+                      .law = law});
 }
 
 struct Reference {

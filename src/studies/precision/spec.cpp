@@ -1,13 +1,19 @@
+#include "studies/precision/spec.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "sweep/spec/tables.hpp"
+#include "sigmasweep/sweep/sweep.hpp"
+#include "studies/precision/study.hpp"
+#include "sweep/spec/entry.hpp"
 
-namespace sigmasweep::spec {
+namespace sigmasweep {
 namespace {
+
+using namespace spec;
 
 constexpr std::array<std::string_view, 10> keys{"integrators", "steps_per_tc", "tolerances",     "tuples",  "checks",
                                                 "repeats",     "seconds",      "repeat_seconds", "longest", "seed"};
@@ -29,7 +35,7 @@ std::vector<double> as_ladder(const Entry& entry, double most) {
 std::vector<Integrator> as_integrators(const Entry& entry) {
   std::vector<Integrator> integrators;
   for (const Entry& element : elements(entry)) {
-    integrators.push_back(static_cast<Integrator>(as_one_of(element, enumerators(FieldType::integrator))));
+    integrators.push_back(static_cast<Integrator>(as_one_of(element, names_of<Integrator>())));
     if (std::ranges::count(integrators, integrators.back()) > 1) refuse_value(element, "is there already");
   }
   if (integrators.empty()) refuse(entry, "needs at least one integrator");
@@ -50,34 +56,39 @@ void require_scenes(const Entry& table, const Sweep& sweep) {
 
 }  // namespace
 
-PrecisionSpec read_precision(const Entry& table, const Sweep& sweep) {
-  PrecisionSpec spec;
+PrecisionSpec read_precision(const spec::Entry& table, const Sweep& sweep) {
+  PrecisionSpec study;
   for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
     if (entry.name == "integrators")
-      spec.integrators = as_integrators(entry);
+      study.integrators = as_integrators(entry);
     else if (entry.name == "steps_per_tc")
-      spec.steps_per_tc = as_ladder(entry, 1e9);
+      study.steps_per_tc = as_ladder(entry, 1e9);
     else if (entry.name == "tolerances")
-      spec.tolerances = as_ladder(entry, 1.0);
+      study.tolerances = as_ladder(entry, 1.0);
     else if (entry.name == "tuples")
-      spec.tuples = as_count(entry, 1, max_tuples);
+      study.tuples = as_count(entry, 1, max_tuples);
     else if (entry.name == "checks")
-      spec.checks = as_count(entry, 1, max_tuples);
+      study.checks = as_count(entry, 1, max_tuples);
     else if (entry.name == "repeats")
-      spec.repeats = as_count(entry, 1, max_repeats);
+      study.repeats = as_count(entry, 1, max_repeats);
     else if (entry.name == "seconds")
-      spec.seconds = as_positive(entry, 1e6);
+      study.seconds = as_positive(entry, 1e6);
     else if (entry.name == "repeat_seconds")
-      spec.repeat_seconds = as_positive(entry, 1e6);
+      study.repeat_seconds = as_positive(entry, 1e6);
     else if (entry.name == "longest")
-      spec.longest = as_positive(entry, 1e6);
+      study.longest = as_positive(entry, 1e6);
     else if (entry.name == "seed")
-      spec.seed = as_count(entry, 0, INT64_MAX);
+      study.seed = as_count(entry, 0, INT64_MAX);
     else
       refuse_unknown(entry, keys);
   }
   require_scenes(table, sweep);
-  return spec;
+  return study;
 }
 
-}  // namespace sigmasweep::spec
+std::optional<PrecisionSpec> precision_of(const Sweep& sweep) {
+  const spec::Entry* table = sweep.section(precision_section.name);
+  return table ? std::optional(read_precision(*table, sweep)) : std::nullopt;
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,80 @@
+#include "sweep/spec/document.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "model/fields/conditions.hpp"
+#include "sigmasweep/base/errors.hpp"
+#include "sweep/spec/toml_guard.hpp"
+
+namespace sigmasweep::spec {
+namespace {
+
+constexpr std::array<std::string_view, 5> own_tables{"title", "sweep", "plot", "run", "trajectory"};
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+  require_parsable(text, file);
+  try {
+    return toml::parse(text, std::string_view(file));
+  } catch (const toml::parse_error& error) {
+    throw SpecError(place(file, error.source().begin.line) + std::string(error.description()));
+  }
+}
+
+/// A plot needs of the sweep and its other tables what it shows.
+void require_plottable(const Entry& entry, const PlotSpec& plot, const Document& document) {
+  const auto& tuples = document.grid->representatives;
+  const bool films = plot.kind == PlotKind::trajectories;
+  if (films && !document.trajectory) refuse(entry, "kind = 'trajectories' needs a table [trajectory]");
+  if (plot.by_phase && std::ranges::none_of(tuples, conditions::vibrates.holds))
+    refuse(entry, "x = 'phase' needs geometry = 'vibrated-column' or 'vibrated-lattice'");
+  const auto is_vibrated_lattice = [](const Parameters& p) {
+    return conditions::vibrates.holds(p) && conditions::lattice.holds(p);
+  };
+  if (films && !plot.mean_over.empty() && !(plot.by_phase && std::ranges::any_of(tuples, is_vibrated_lattice)))
+    refuse(entry, "'mean_over' of trajectories needs x = 'phase' and geometry = 'vibrated-lattice'");
+}
+
+std::vector<PlotSpec> plots_of(const std::optional<Entry>& entry, const Document& document) {
+  const PlotSpec usual = usual_plot(*document.grid);
+  if (!entry) return {usual};
+  std::vector<PlotSpec> plots = read_plots(*entry, usual);
+  for (const PlotSpec& plot : plots) require_plottable(*entry, plot, document);
+  return plots;
+}
+
+void require_known(const Entry& entry, std::span<const SpecSection> sections) {
+  std::vector<std::string_view> known(own_tables.begin(), own_tables.end());
+  for (const SpecSection& section : sections) known.push_back(section.name);
+  if (std::ranges::find(known, entry.name) == known.end()) refuse_unknown(entry, known);
+}
+
+}  // namespace
+
+Document::Document(std::string_view given, std::string name)
+    : text(given), file(std::move(name)), toml(parse_toml(text, file)) {}
+
+void read_tables(Document& document, std::span<const SpecSection> sections, bool any_section) {
+  std::optional<Entry> plot;
+  for (const Entry& entry : entries(document.toml, document.file, "")) {
+    if (!any_section) require_known(entry, sections);
+    if (entry.name == "title")
+      document.title = as_string(entry);
+    else if (entry.name == "sweep")
+      document.grid = read_sweep(entry);
+    else if (entry.name == "plot")
+      plot = entry;
+    else if (entry.name == "run")
+      document.run = read_run(entry);
+    else if (entry.name == "trajectory")
+      document.trajectory = entry;
+    else
+      document.sections.push_back(entry);
+  }
+  if (!document.grid) throw SpecError(fmt::format("{}: the table [sweep] is missing", document.file));
+  document.plots = plots_of(plot, document);
+}
+
+}  // namespace sigmasweep::spec
