@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assembly/column.hpp"
+#include "contact/contact_law.hpp"
 
 namespace sigmasweep {
 
@@ -69,20 +70,10 @@ class EnergyBalance {
   }
 
  private:
-  /// Twice the elastic energy, 2 K x^(2+beta)/(2+beta).
-  Real elastic(std::size_t k) const {
-    using std::pow;
-    if (column_.exponents.linear()) return column_.spring(k) * x_[k] * x_[k];
-    const Real power = 2 + Real(column_.exponents.beta);
-    return 2 * column_.spring(k) * pow(x_[k], power) / power;
-  }
-  /// C x^(1+gamma)/(1+gamma), what the dashpot takes back on the way to x = 0.
-  Real still_to_come(std::size_t k) const {
-    using std::pow;
-    if (column_.exponents.linear()) return column_.dashpot(k) * x_[k];
-    const Real power = 1 + Real(column_.exponents.gamma);
-    return column_.dashpot(k) * pow(x_[k], power) / power;
-  }
+  /// Twice the elastic energy.
+  Real elastic(std::size_t k) const { return twice_elastic_energy(column_.exponents, column_.spring(k), x_[k]); }
+  /// Momentum that the dashpot takes back on the way to x = 0.
+  Real still_to_come(std::size_t k) const { return dashpot_potential(column_.exponents, column_.dashpot(k), x_[k]); }
   Real weighted(std::size_t bead, const Real& value) const {
     return column_.mass.empty() ? value : Real(column_.mass[bead] * value);
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <boost/math/tools/roots.hpp>
+#include "contact/contact_law.hpp"
 #include "numerics/dormand_prince.hpp"
 #include "sigmasweep/contact/calibration.hpp"
 #include "sigmasweep/contact/pair_collision.hpp"
@@ -21,7 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// and the contact opens at s = 0 exactly; in between it is the time.
 class ScaledPair {
  public:
-  explicit ScaledPair(const PairLaw& law) : law_(law), q_(root(law.exponents)) {}
+  explicit ScaledPair(const PairLaw& law) : law_(law), q_(clock_exponent(law.exponents)) {}
 
   PairCollision run() {
     State in{1.0, 0.0};  // u, t as functions of s
@@ -55,14 +56,6 @@ class ScaledPair {
  private:
   using State = std::array<double, 2>;
   static constexpr double accuracy = 1e-15;  ///< local
-
-  /// The smallest q for which all powers of s in the equation are whole; 8 where there is none, smooth enough.
-  static double root(Exponents e) {
-    const auto whole = [](double x) { return std::fabs(x - std::round(x)) < 1e-9; };
-    for (double q = 1.0; q <= 8.0; ++q)
-      if (whole(q * e.beta) && whole(q * e.gamma)) return q;
-    return 8.0;
-  }
 
   double acceleration(double x, double u) const {
     return -law_.b * std::pow(x, law_.exponents.gamma) * u - law_.k * std::pow(x, 1.0 + law_.exponents.beta);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <type_traits>
+
 #include "assembly/column.hpp"
-#include "contact/kernels.hpp"
+#include "contact/contact_law.hpp"
 #include "solve/fixed_step/schemes/scheme_list.hpp"
 
 #if defined(__SSE2__)
@@ -28,13 +30,11 @@ class DenormalsAreZero {
 /// linear law; with the others they are no special case.
 template <class With>
 auto with_law(const Column<double>& column, With&& with) {
-  const auto [beta, gamma] = column.exponents;
-  if (column.exponents.linear() && column.is_uniform()) return with.template operator()<LinearForce, false>();
-  if (column.exponents.linear()) return with.template operator()<LinearForce, true>();
-  if (beta == 0.5 && gamma == 0.0) return with.template operator()<HertzForce<0>, true>();
-  if (beta == 0.5 && gamma == 0.25) return with.template operator()<HertzForce<1>, true>();
-  if (beta == 0.5 && gamma == 0.5) return with.template operator()<HertzForce<2>, true>();
-  return with.template operator()<PowerForce, true>();
+  return visit_law(column.exponents, [&]<class Law>(const Law&) {
+    if constexpr (std::is_same_v<Law, LinearLaw>)
+      if (column.is_uniform()) return with.template operator()<Law, false>();
+    return with.template operator()<Law, true>();
+  });
 }
 
 /// Calls with.operator()<Force, Uneven, Scheme>() for the column's law and the integrator, denormal numbers being zero

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/contact_law.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/law.hpp"
 #include "solve/fixed_step/lattice/modes.hpp"
@@ -27,9 +28,10 @@ double row_sum(const Column<double>& column, std::size_t i, double (Column<doubl
 /// Of the law's F = K x^(1+beta) + C x^gamma x', for a small motion about the overlap that m v^2/2 = K
 /// x^(2+beta)/(2+beta) gives a mean bead at the wall: k for K = 1, and c for C = 1.
 Mode about_overlap(const Column<double>& column) {
-  const auto [beta, gamma] = column.exponents;
+  const double beta = column.exponents.beta;
   const double x = std::pow((2.0 + beta) * column.speed * column.speed / (2.0 * column.K_wall), 1.0 / (2.0 + beta));
-  return {(1.0 + beta) * std::pow(x, beta), std::pow(x, gamma)};
+  const Tangent about = tangent(column.exponents, x);
+  return {about.spring, about.dashpot};
 }
 
 }  // namespace

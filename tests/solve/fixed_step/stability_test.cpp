@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assembly/lattice.hpp"
-#include "contact/kernels.hpp"
+#include "contact/contact_law.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
@@ -21,7 +21,7 @@
 namespace sigmasweep {
 namespace {
 
-using OneContact = Chain<LinearForce, false>;
+using OneContact = Chain<LinearLaw, false>;
 
 std::vector<double> times(const StepMap& map, const std::vector<double>& state) {
   const std::size_t n = state.size();

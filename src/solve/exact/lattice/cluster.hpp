@@ -8,7 +8,7 @@
 #include "assembly/lattice.hpp"
 #include "assembly/lattice_neighbours.hpp"
 #include "base/vec2.hpp"
-#include "contact/kernels_many.hpp"
+#include "contact/contact_forces.hpp"
 #include "numerics/dormand_prince.hpp"
 
 namespace sigmasweep {

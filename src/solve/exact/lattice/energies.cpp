@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/laws/power.hpp"
+
 namespace sigmasweep {
 
 template <class Real, class Ground>
@@ -32,14 +34,13 @@ Real LatticeEnergies<Real, Ground>::approach(const Real& t) const {
 
 template <class Real, class Ground>
 Real LatticeEnergies<Real, Ground>::held(const Real& t) const {
-  using std::pow;
-  const Real power = Real(2.0 + state_.lattice.beads.exponents.beta),
-             K = std::max(state_.lattice.beads.K, state_.lattice.beads.K_wall);
+  const PowerLaw law(state_.lattice.beads.exponents);
+  const Real K = std::max(state_.lattice.beads.K, state_.lattice.beads.K_wall);
   Real sum = 0;
   for (std::size_t i = 0; i < state_.beads.size(); ++i)
     for (const Neighbour<Real>& other : state_.touching[i]) {
       const Motion<Real> now = state_.gap(i, other, t);
-      sum += state_.lattice.mass(i) * now.u * now.u / 2 + K * Real(pow(std::max(Real(-now.x), Real(0)), power)) / power;
+      sum += state_.lattice.mass(i) * now.u * now.u / 2 + law.elastic_energy(K, std::max(Real(-now.x), Real(0)));
     }
   return sum;
 }
@@ -61,7 +62,8 @@ Real LatticeEnergies<Real, Ground>::later_change(const Real& loss, const Real& t
 
 template <class Real, class Ground>
 double LatticeEnergies<Real, Ground>::energy(const Real& t) const requires(Ground::moves) {
-  const double power = 2.0 + state_.lattice.beads.exponents.beta, speed = state_.ground.speed(double(t));
+  const PowerLaw law(state_.lattice.beads.exponents);
+  const double speed = state_.ground.speed(double(t));
   double sum = 0.0;
   for (std::size_t i = 0; i < state_.beads.size(); ++i) {
     const BeadState<Real> state = state_.at(i, t);
@@ -71,8 +73,8 @@ double LatticeEnergies<Real, Ground>::energy(const Real& t) const requires(Groun
     for (const Neighbour<Real>& other : state_.touching[i])
       if (const double overlap = -double(state_.gap(i, other, t).x);
           overlap > 0.0 && (other.is_wall() || i < other.bead))
-        sum += double(other.is_wall() ? state_.lattice.beads.K_wall : state_.lattice.beads.K) *
-               std::pow(overlap, power) / power;
+        sum +=
+            law.elastic_energy(double(other.is_wall() ? state_.lattice.beads.K_wall : state_.lattice.beads.K), overlap);
   }
   return sum;
 }

@@ -6,19 +6,9 @@
 
 #include "numerics/first_root.hpp"
 #include "numerics/hermite.hpp"
-#include "sigmasweep/model/law.hpp"
 
 namespace sigmasweep {
 namespace {
-
-/// The smallest q for which all powers of s = x^(1/q) in the force are whole; where there is none 8, smooth enough for
-/// the scheme.
-int root(Exponents e) {
-  const auto whole = [](double x) { return std::fabs(x - std::round(x)) < 1e-9; };
-  for (int q = 1; q <= 8; ++q)
-    if (whole(q * e.beta) && whole(q * e.gamma)) return q;
-  return 8;
-}
 
 /// A contact that reaches x = 0 (or left it) within this time, in tc, if it goes on as it does, is led by its s.
 constexpr double near = 0.15;
@@ -35,7 +25,7 @@ PowerLawGroup<Real, Ground>::PowerLawGroup(const Column<Real>& column, const Rea
       force_(column.exponents),
       accuracy_(accuracy),
       delta_(closing_overlap(accuracy)),
-      q_(root(column.exponents)),
+      q_(clock_exponent(column.exponents)),
       next_time_span_(Real(0.02)) {}
 
 template <class Real, class Ground>

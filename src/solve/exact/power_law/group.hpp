@@ -9,7 +9,7 @@
 
 #include "assembly/column.hpp"
 #include "assembly/ground.hpp"
-#include "contact/kernels_many.hpp"
+#include "contact/contact_forces.hpp"
 #include "numerics/dormand_prince.hpp"
 
 namespace sigmasweep {

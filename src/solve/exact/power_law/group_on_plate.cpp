@@ -17,9 +17,9 @@ void PowerLawGroup<Real, Ground>::drive(State& dy, const Real* x, const Real* u,
     dy[n_] += ground_.load(begin_ + elapsed);
     power_in = F_[1] * ground_.speed(begin_ + elapsed);
   }
-  const Real gamma = column_.exponents.gamma;
+  const PowerLaw law(column_.exponents);
   for (std::size_t i = 0; i < n_; ++i)
-    if (closed_[i]) power_lost += C_[i] * std::pow(std::max(x[i], Real(0)), gamma) * u[i] * u[i];
+    if (closed_[i]) power_lost += law.dashpot_force(C_[i], std::max(x[i], Real(0)), u[i]) * u[i];
 }
 
 template void PowerLawGroup<double, Plate>::drive(State&, const double*, const double*, const double&);

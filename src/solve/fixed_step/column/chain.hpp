@@ -6,7 +6,7 @@
 
 #include "assembly/column.hpp"
 #include "assembly/ground.hpp"
-#include "contact/kernels.hpp"
+#include "contact/contact_law.hpp"
 #include "solve/fixed_step/aligned_lanes.hpp"
 
 namespace sigmasweep {

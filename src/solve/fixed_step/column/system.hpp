@@ -94,7 +94,7 @@ class ColumnSystem {
       const double x = scheme_.x()[k];
       v += scheme_.u()[k];
       E += column_.mass.empty() ? v * v : column_.mass[k] * v * v;
-      if (x > 0.0) E += chain_.force.elastic(chain_.K[k], x);
+      if (x > 0.0) E += chain_.force.twice_elastic_energy(chain_.K[k], x);
     }
     return 0.5 * E;
   }

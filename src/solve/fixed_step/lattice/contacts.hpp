@@ -8,7 +8,7 @@
 #include "assembly/lattice.hpp"
 #include "assembly/lattice_neighbours.hpp"
 #include "base/vec2.hpp"
-#include "contact/kernels.hpp"
+#include "contact/contact_law.hpp"
 #include "solve/fixed_step/driver.hpp"
 
 namespace sigmasweep {
@@ -53,7 +53,7 @@ class LatticeContacts {
     const std::size_t pairs = pairs_, count = x_.size();
     double sum = 0.0;
     for (std::size_t c = 0; c < count; ++c)
-      if (x[c] > 0.0) sum += force.elastic(c < pairs ? K : K_wall, x[c]);
+      if (x[c] > 0.0) sum += force.twice_elastic_energy(c < pairs ? K : K_wall, x[c]);
     return sum;
   }
   /// What the dashpots took at the last evaluation, per step.
@@ -245,7 +245,7 @@ void LatticeContacts<Force, Uneven, Books>::each(const double* q, const double* 
                         double inertia, double eps) {
     const double overlap = -bond.gap(apart);
     with(overlap, -dot(w, bond.direction(apart).n), std::sqrt(dot(w, w)),
-         overlap > 0.0 ? force_.elastic(K, overlap) : 0.0, inertia, eps);
+         overlap > 0.0 ? force_.twice_elastic_energy(K, overlap) : 0.0, inertia, eps);
   };
   for (std::size_t p = 0; p < pairs_; ++p) {
     const auto i = static_cast<std::size_t>(i_[p] / 2), j = static_cast<std::size_t>(j_[p] / 2);
