@@ -28,6 +28,12 @@ double fall_time(const ContactState<double>& start, double load) {
   return start.u > 0.0 ? -2.0 * start.x / (start.u + root) : (root - start.u) / load;
 }
 
+/// The plate's phase at t, s. Whole periods do not count, so that it is as exact after many of them.
+double phase(const Parameters& p, double t) {
+  const double turns = p.frequency * t;
+  return 2.0 * std::numbers::pi * (turns - std::floor(turns));
+}
+
 }  // namespace
 
 ContactState<double> Plate::flight(const ContactState<double>& entry, double t, double elapsed) const {
@@ -116,6 +122,12 @@ double Plate::root(const ContactState<double>& entry, double t, double low, doub
     guess = next;
   }
   return guess;
+}
+
+double plate_height(const Parameters& p, double t) { return p.A0 * std::sin(phase(p, t)); }
+
+double plate_speed(const Parameters& p, double t) {
+  return p.A0 * 2.0 * std::numbers::pi * p.frequency * std::cos(phase(p, t));
 }
 
 }  // namespace sigmasweep

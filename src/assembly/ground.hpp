@@ -78,6 +78,11 @@ struct Plate {
   double root(const ContactState<double>& entry, double t, double low, double high, double guess) const;
 };
 
+/// Height of the plate of complete parameters in SI, A0 sin(2 pi f t), Eq. (1), m; t in s.
+double plate_height(const Parameters& parameters, double t);
+/// Its speed then, m/s.
+double plate_speed(const Parameters& parameters, double t);
+
 /// The plate's work int F_0 z0' dt, and what the contacts lost.
 struct PlateWork {
   double in = 0.0, lost = 0.0;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "assembly/lattice_neighbours.hpp"
+#include "assembly/neighbours.hpp"
 #include "base/random.hpp"
 
 namespace sigmasweep {

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "assembly/plate_motion.hpp"
+#include "assembly/ground.hpp"
 #include "base/atomic_file.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/fields.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "assembly/plate_motion.hpp"
+#include "assembly/ground.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/geometry.hpp"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "assembly/plate_motion.hpp"
+#include "assembly/ground.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/solve/simulate.hpp"

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <numbers>
 
-#include "assembly/plate_motion.hpp"
+#include "assembly/ground.hpp"
 #include "plot/films/canvas.hpp"
 #include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"

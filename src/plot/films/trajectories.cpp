@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "assembly/plate_motion.hpp"
+#include "assembly/ground.hpp"
 #include "plot/films/thin.hpp"
 #include "plot/gnuplot/gnuplot.hpp"
 #include "plot/labels.hpp"

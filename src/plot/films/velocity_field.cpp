@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "assembly/plate_motion.hpp"
+#include "assembly/ground.hpp"
 
 namespace sigmasweep {
 namespace {

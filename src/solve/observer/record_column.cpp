@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "assembly/ground.hpp"
-#include "assembly/plate_motion.hpp"
 
 namespace sigmasweep {
 namespace {

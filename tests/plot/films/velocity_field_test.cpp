@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "assembly/plate_motion.hpp"
+#include "assembly/ground.hpp"
 #include "plot/films/plot_velocity_field.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assembly/lattice.hpp"
-#include "assembly/lattice_neighbours.hpp"
+#include "assembly/neighbours.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/exact/lattice/collision.hpp"

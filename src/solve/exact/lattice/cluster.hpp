@@ -6,7 +6,7 @@
 
 #include "assembly/ground.hpp"
 #include "assembly/lattice.hpp"
-#include "assembly/lattice_neighbours.hpp"
+#include "assembly/neighbours.hpp"
 #include "base/vec2.hpp"
 #include "contact/contact_forces.hpp"
 #include "numerics/dormand_prince.hpp"

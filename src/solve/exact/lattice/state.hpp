@@ -8,7 +8,7 @@
 
 #include "assembly/ground.hpp"
 #include "assembly/lattice.hpp"
-#include "assembly/lattice_neighbours.hpp"
+#include "assembly/neighbours.hpp"
 #include "solve/exact/lattice/cluster.hpp"
 
 namespace sigmasweep {

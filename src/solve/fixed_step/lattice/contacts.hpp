@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assembly/lattice.hpp"
-#include "assembly/lattice_neighbours.hpp"
+#include "assembly/neighbours.hpp"
 #include "base/vec2.hpp"
 #include "contact/contact_law.hpp"
 #include "solve/fixed_step/driver.hpp"

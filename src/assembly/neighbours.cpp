@@ -1,4 +1,4 @@
-#include "assembly/lattice_neighbours.hpp"
+#include "assembly/neighbours.hpp"
 
 #include <algorithm>
 #include <numbers>
