@@ -1,13 +1,14 @@
+#include "sigmasweep/contact/pair_collision.hpp"
+
 #include <array>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include <boost/math/tools/roots.hpp>
 #include "contact/contact_law.hpp"
 #include "numerics/dormand_prince.hpp"
 #include "sigmasweep/contact/calibration.hpp"
-#include "sigmasweep/contact/pair_collision.hpp"
 #include "sigmasweep/contact/theory.hpp"
 #include "sigmasweep/model/law.hpp"
 
