@@ -12,8 +12,8 @@
 namespace sigmasweep {
 namespace {
 
-constexpr Exponents hooke{0.0, 0.0}, weak{0.0, 0.2}, hertz{0.5, 0.0}, hkk{0.5, 0.5}, taguchi{0.5, 0.25};
-constexpr Exponents all_laws[]{hooke, weak, hertz, hkk, taguchi};
+constexpr Exponents hooke{0.0, 0.0}, weak{0.0, 0.2}, hertz{0.5, 0.0}, hkk{0.5, 0.5}, taguchi{0.5, 0.25}, cone{1.0, 1.0};
+constexpr Exponents all_laws[]{hooke, weak, hertz, hkk, taguchi, cone};
 
 std::string name(Exponents e) { return "beta " + std::to_string(e.beta) + ", gamma " + std::to_string(e.gamma); }
 
@@ -25,7 +25,8 @@ struct Theory {
 };
 constexpr Theory theories[]{{weak, 1.0, 3.141592653589793, 1.261137235674571},
                             {hkk, 1.093362073943278, 3.218065459719043, 1.153448858095289},
-                            {taguchi, 1.093362073943278, 3.218065459719043, 1.404962946208145}};
+                            {taguchi, 1.093362073943278, 3.218065459719043, 1.404962946208145},
+                            {cone, 1.144714242553332, 3.210195653238927, 0.968592159032435}};
 
 /// Stiffnesses between 1e-3 and 1e12 and speeds over the 15 decades of the paper.
 template <class Check>
@@ -47,6 +48,8 @@ TEST(Law, ExponentsOfTheNamedLaws) {
   EXPECT_EQ(of(Law::hertz).gamma, 0.0);
   EXPECT_EQ(of(Law::hertz_kuwabara_kono).gamma, 0.5);
   EXPECT_EQ(of(Law::taguchi).gamma, 0.25);
+  EXPECT_EQ(of(Law::cone).beta, 1.0);
+  EXPECT_EQ(of(Law::cone).gamma, 1.0);
   EXPECT_EQ(of(Law::power).beta, 0.3);
   EXPECT_EQ(of(Law::power).gamma, 0.7);
 }
@@ -83,6 +86,7 @@ TEST(Law, PowersOfTableI) {
   expect(hertz, 0.8, -0.2, -0.2);
   expect(hkk, 0.8, -0.2, 0.2);
   expect(taguchi, 0.8, -0.2, 0.0);
+  expect(cone, 2.0 / 3.0, -1.0 / 3.0, 1.0 / 3.0);
 }
 
 TEST(Law, StiffnessAndContactTimeAreInverse) {
@@ -141,7 +145,7 @@ TEST(Collide, OverlapIsWithinATenthOfAPercentWhereThePaperSaysSo) {
 }
 
 TEST(Damping, InvertsCollide) {
-  for (const Exponents e : {hooke, weak, hertz, hkk, taguchi, Exponents{0.37, 0.1}})
+  for (const Exponents e : {hooke, weak, hertz, hkk, taguchi, cone, Exponents{0.37, 0.1}})
     for (const double eps : {0.01, 0.1, 0.5, 0.9, 0.999, 1.0 - 1e-6, 1.0 - 1e-9, 1.0 - 1e-12, 1.0}) {
       const double b = damping(e, 2e12, 0.05, eps);
       ASSERT_TRUE(b >= 0.0) << name(e) << " eps " << eps;

@@ -110,7 +110,7 @@ TEST(Balance, OfMixedGaps) {
 
 // Local errors of a step are 1e-12, of some hundred steps in all.
 TEST(Balance, OfLawsThatAreNotLinear) {
-  for (const Law law : {Law::hertz, Law::hertz_kuwabara_kono, Law::taguchi, Law::power})
+  for (const Law law : {Law::hertz, Law::hertz_kuwabara_kono, Law::taguchi, Law::power, Law::cone})
     for (const double epsilon : {1.0, 1.0 - 1e-12, 0.5, 0.1})
       for (const std::int64_t N : {1, 2, 3, 10})
         for (const double sigma : {0.0, 1e-16, 0.3}) {

@@ -30,6 +30,7 @@ inline constexpr std::array laws{
     LawInfo{Law::hertz_kuwabara_kono, "hertz-kuwabara-kono", {0.5, 0.5}, false, "viscoelastic spheres, Ref. [43]"},
     LawInfo{Law::taguchi, "taguchi", {0.5, 0.25}, false, "restitution that does not depend on the speed, Ref. [45]"},
     LawInfo{Law::power, "power", {0.0, 0.0}, true, "any exponents beta and gamma, Eq. (8)"},
+    LawInfo{Law::cone, "cone", {1.0, 1.0}, false, "viscoelastic cones, Sneddon, Int. J. Eng. Sci. 3, 47 (1965)"},
 };
 
 /// Exponents of the parameters' law.

@@ -54,7 +54,7 @@ constexpr auto enumerator_names(Status) {
 constexpr auto enumerator_names(Geometry) { return names_in(geometries); }
 constexpr auto enumerator_names(Law) { return names_in(laws); }
 static_assert(geometries.size() == static_cast<std::size_t>(Geometry::vibrated_lattice) + 1);
-static_assert(laws.size() == static_cast<std::size_t>(Law::power) + 1);
+static_assert(laws.size() == static_cast<std::size_t>(Law::cone) + 1);
 
 template <class Enum>
 inline constexpr auto registered_names = enumerator_names(Enum{});

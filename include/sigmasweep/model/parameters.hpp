@@ -23,10 +23,9 @@ enum class Wall : std::uint8_t { paper, matched };
 /// How soft spheres are moved: exactly between contact events, or by a scheme of fixed time step tc/steps_per_tc.
 enum class Integrator : std::uint8_t { exact, gear5, verlet, rk4 };
 
-/// The contact force F = K x^(1+beta) + D x^gamma x', x > 0 the overlap; Eqs. (2), (3), (8) and Sec. IV B.
-/// Exponents (beta, gamma): hooke (0, 0), hertz (1/2, 0), hertz_kuwabara_kono (1/2, 1/2), taguchi (1/2, 1/4), and
-/// power any.
-enum class Law : std::uint8_t { hooke, hertz, hertz_kuwabara_kono, taguchi, power };
+/// The contact force F = K x^(1+beta) + D x^gamma x', x > 0 the overlap; Eqs. (2), (3), (8) and Sec. IV B. The
+/// exponents are in the table of laws (law.hpp).
+enum class Law : std::uint8_t { hooke, hertz, hertz_kuwabara_kono, taguchi, power, cone };
 
 /// Beads of the paper's Sec. III; none: stiffness and damping are given by other parameters.
 enum class Material : std::uint8_t { none, steel, aluminium };

@@ -83,9 +83,10 @@ TEST(Refusal, UnknownNames) {
   EXPECT_EQ(alone("geometry = \"latice\""),
             "bad.toml:3: sweep.geometry = \"latice\": must be 'column', 'vibrated-column', 'lattice' or "
             "'vibrated-lattice' (did you mean 'lattice'?)");
-  EXPECT_EQ(alone("law = \"herz\""),
-            "bad.toml:3: sweep.law = \"herz\": must be 'hooke', 'hertz', 'hertz-kuwabara-kono', 'taguchi' or 'power' "
-            "(did you mean 'hertz'?)");
+  EXPECT_EQ(
+      alone("law = \"herz\""),
+      "bad.toml:3: sweep.law = \"herz\": must be 'hooke', 'hertz', 'hertz-kuwabara-kono', 'taguchi', 'power' or 'cone' "
+      "(did you mean 'hertz'?)");
   expect_part(table("[plot]\ny = \"eps\""),
               "bad.toml:8: plot.y = \"eps\": is no field of a row (did you mean 'epsilon'?)");
   expect_part(table("[plot]\nseries = [\"v0\",\n\"tcc\"]"), "bad.toml:9: plot.series = \"tcc\": is no field");
