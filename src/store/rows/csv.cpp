@@ -26,7 +26,10 @@ class Csv final : public RowWriter {
   template <class ValueOf>
   std::string line(ValueOf value_of) const {
     std::string line;
-    for (const Field& field : columns()) line += (line.empty() ? "" : ",") + quoted(value_of(field));
+    for (const Field& field : columns()) {
+      if (!line.empty()) line += ',';
+      line += quoted(value_of(field));
+    }
     return line + "\r\n";
   }
 };
