@@ -37,7 +37,7 @@ TEST_P(HardReference, IsReproduced) {
 
 INSTANTIATE_TEST_SUITE_P(Columns, HardReference, testing::ValuesIn(reference::hard), [](const auto& run) {
   const auto& r = run.param;
-  return "N" + std::to_string(r.N) + "_eps" + std::to_string(std::lround(100 * r.epsilon)) + "_" +
+  return std::string("N") + std::to_string(r.N) + "_eps" + std::to_string(std::lround(100 * r.epsilon)) + "_" +
          std::string(name_of(r.wall)) + (r.touching ? "_touching" : "_apart");
 });
 
@@ -125,7 +125,8 @@ TEST_P(CollapseThreshold, IsReproduced) {
 
 INSTANTIATE_TEST_SUITE_P(Columns, CollapseThreshold, testing::ValuesIn(reference::collapse), [](const auto& run) {
   const auto& r = run.param;
-  return "N" + std::to_string(r.N) + "_" + std::string(name_of(r.wall)) + (r.touching ? "_touching" : "_apart");
+  return std::string("N") + std::to_string(r.N) + "_" + std::string(name_of(r.wall)) +
+         (r.touching ? "_touching" : "_apart");
 });
 
 TEST(InelasticCollapse, ForeseenIsTheSameAsFollowedToTheEnd) {

@@ -34,7 +34,7 @@ TEST_P(TcReference, IsReproduced) {
 
 INSTANTIATE_TEST_SUITE_P(Columns, TcReference, testing::ValuesIn(reference::hard_tc), [](const auto& run) {
   const auto& r = run.param;
-  return "N" + std::to_string(r.N) + "_eps" + std::to_string(std::lround(100 * r.epsilon)) + "_sigma" +
+  return std::string("N") + std::to_string(r.N) + "_eps" + std::to_string(std::lround(100 * r.epsilon)) + "_sigma" +
          std::to_string(std::lround(100 * r.sigma)) + "_" + std::string(name_of(r.wall));
 });
 
