@@ -9,6 +9,8 @@
 #include "engine/ledger/stored_sweep.hpp"
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/fields.hpp"
+#include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "studies/stability/map.hpp"
 #include "studies/stability/plot.hpp"
@@ -25,7 +27,8 @@ void require_steps(const Sweep& sweep, const std::string& spec) {
     return std::ranges::find(columns, name, &Field::name) != columns.end();
   };
   if (!has("predicted_growth"))
-    throw SpecError(fmt::format("{}: a stability study needs tuples with an integrator of fixed step", spec));
+    throw SpecError(fmt::format("{}: a stability study needs tuples with {}", spec,
+                                requirement_of(*find_field("predicted_growth"))));
 }
 
 bool is_well(const Row& row) { return row.result.status == Status::unstable || is_success(row.result.status); }
