@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sigmasweep/model/names.hpp"
+
 using namespace sigmasweep;
 
 namespace {
@@ -22,7 +24,7 @@ Parameters with(std::int64_t N, double sigma, Method method, Integrator integrat
 
 TEST(Cost, IsPositiveAndFiniteAtTheExtremes) {
   for (const auto method : {Method::md, Method::ed})
-    for (const auto integrator : {Integrator::exact, Integrator::gear5, Integrator::verlet, Integrator::rk4})
+    for (const auto integrator : values_of<Integrator>())
       for (const std::int64_t N : {std::int64_t{1}, std::int64_t{1000000}})
         for (const double sigma : {0.0, 5e-324, 1.0, 1.7976931348623157e308})
           for (const double epsilon : {5e-324, 1.0}) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 
 using namespace sigmasweep;
@@ -38,7 +39,7 @@ std::vector<Parameters> all_kinds() {
   std::vector<Parameters> all;
   for (const Geometry geometry : geometries_of_all)
     for (const Method method : {Method::md, Method::ed})
-      for (const Integrator integrator : {Integrator::exact, Integrator::gear5, Integrator::verlet, Integrator::rk4})
+      for (const Integrator integrator : values_of<Integrator>())
         for (const Law law : {Law::hooke, Law::hertz}) all.push_back(small(geometry, method, integrator, law));
   return all;
 }

@@ -9,6 +9,7 @@
 
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 
 namespace sigmasweep {
@@ -27,8 +28,7 @@ std::vector<Parameters> all_kinds() {
   std::vector<Parameters> all;
   for (const double s0 : {0.0, 1e-6, 1e-5}) {
     all.push_back(figure_1(s0, Method::ed));
-    for (const Integrator i : {Integrator::exact, Integrator::gear5, Integrator::verlet, Integrator::rk4})
-      all.push_back(figure_1(s0, Method::md, i));
+    for (const Integrator i : values_of<Integrator>()) all.push_back(figure_1(s0, Method::md, i));
   }
   return all;
 }

@@ -71,6 +71,14 @@ constexpr std::string_view name_of(Enum value) {
   return names_of<Enum>()[static_cast<std::size_t>(value)];
 }
 
+/// All values of an enumeration, in the order of their numbers.
+template <class Enum>
+constexpr auto values_of() {
+  std::array<Enum, registered_names<Enum>.size()> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Enum>(i);
+  return values;
+}
+
 /// The value called `name`, if there is one.
 template <class Enum>
 constexpr std::optional<Enum> value_named(std::string_view name) {

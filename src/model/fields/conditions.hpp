@@ -1,8 +1,13 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <string_view>
+
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/law.hpp"
+#include "sigmasweep/model/names.hpp"
 
 /// The conditions under which fields count for a tuple: by its geometry, its contact law, its solver.
 namespace sigmasweep::conditions {
@@ -67,11 +72,36 @@ inline constexpr Condition soft{is_soft, "method = 'md'"};
 inline constexpr Condition hard{[](const Parameters& p) { return !is_soft(p); }, "method = 'ed'"};
 inline constexpr Condition overlaps{[](const Parameters& p) { return !is_vibrated(p) || is_soft(p); },
                                     "geometry = 'column' or 'lattice', or method = 'md'"};
+
+/// A text that is put together while the program is compiled.
+struct ConstantText {
+  std::array<char, 128> characters{};
+  std::size_t size = 0;
+
+  constexpr void add(std::string_view text) {
+    for (const char character : text) characters[size++] = character;
+  }
+  constexpr std::string_view view() const { return {characters.data(), size}; }
+};
+
+/// "integrator = 'gear5', 'verlet' or ...": all integrators but exact.
+inline constexpr ConstantText fixed_step_integrator = [] {
+  ConstantText text;
+  text.add("integrator = ");
+  const auto names = names_of<Integrator>();
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    text.add(i == 1 ? "'" : i + 1 < names.size() ? ", '" : " or '");
+    text.add(names[i]);
+    text.add("'");
+  }
+  return text;
+}();
+static_assert(Integrator::exact == Integrator{});
+
 inline constexpr Condition fixed_steps{
-    [](const Parameters& p) { return is_soft(p) && p.integrator != Integrator::exact; },
-    "integrator = 'gear5', 'verlet' or 'rk4'"};
+    [](const Parameters& p) { return is_soft(p) && p.integrator != Integrator::exact; }, fixed_step_integrator.view()};
 inline constexpr Condition given_steps{[](const Parameters& p) { return fixed_steps.holds(p) && p.steps_per_tc > 0.0; },
-                                       "integrator = 'gear5', 'verlet' or 'rk4'"};
+                                       fixed_step_integrator.view()};
 inline constexpr Condition tolerance{[](const Parameters& p) { return is_soft(p) && !given_steps.holds(p); },
                                      "method = 'md', with integrator = 'exact' or without steps_per_tc"};
 

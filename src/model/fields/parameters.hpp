@@ -119,7 +119,7 @@ inline constexpr auto table_of_parameters = std::to_array<ParameterField>({
     {SIGMASWEEP_MEMBER(Parameters, ed_rule), .unit = "1",
      .meaning = "ed: lrv, each collision loses; tc, none soon after another one", .applies = {&conditions::hard}},
     {SIGMASWEEP_MEMBER(Parameters, steps_per_tc), .unit = "1",
-     .meaning = "gear5, verlet, rk4: time steps per contact time (or give a tolerance)",
+     .meaning = "fixed steps: time steps per contact time (or give a tolerance)",
      .symbol = "{/:Italic t}_c/Δ{/:Italic t}", .applies = {&conditions::given_steps}, .allowed = allowed::steps},
     {SIGMASWEEP_MEMBER(Parameters, tolerance), .unit = "1",
      .meaning = "wanted absolute error of eps_eff: of exact, or of a time step chosen for it",

@@ -2,7 +2,14 @@
 
 #include <array>
 
+#include "sigmasweep/model/names.hpp"
+
 namespace sigmasweep {
+
+std::vector<Integrator> all_integrators() {
+  constexpr auto all = values_of<Integrator>();
+  return {all.begin(), all.end()};
+}
 
 std::span<const PrecisionField> precision_fields() {
 #define SIGMASWEEP_AT(member) offsetof(PrecisionRow, member)

@@ -8,6 +8,7 @@
 
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/assembly/validity.hpp"
+#include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/solve/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
@@ -185,7 +186,7 @@ TEST(LatticeSweep, AndItsFieldsAreUsedByItAlone) {
 
 TEST(LatticeCost, IsPositiveFiniteAndGrows) {
   for (const Geometry geometry : {Geometry::lattice, Geometry::vibrated_lattice})
-    for (const Integrator integrator : {Integrator::exact, Integrator::gear5, Integrator::verlet, Integrator::rk4})
+    for (const Integrator integrator : values_of<Integrator>())
       for (const double sigma : {0.0, 1.0, 1e9, std::numeric_limits<double>::max(), std::nan("")}) {
         Parameters p;
         p.geometry = geometry;
