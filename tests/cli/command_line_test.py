@@ -117,7 +117,7 @@ class Answers(Files):
         self.assertEqual(self.one("--s0", "1e-6", "--wall", "matched")["wall"], "matched")
 
     def test_one_with_a_step_chosen_by_the_tolerance(self):
-        for integrator in ("gear5", "verlet", "rk4"):
+        for integrator in ("gear5", "verlet", "rk4", "leapfrog"):
             result = self.one("--sigma", 0.1, "--integrator", integrator, "--tolerance", "1e-4")
             self.assertLess(abs(result["eps_eff"] - 0.931129144499), 1e-4)  # of an independent integration
             self.assertTrue(0 < result["eps_eff_error"] <= 1e-4)

@@ -30,7 +30,7 @@ repeats = 2
 [plot]
 where = "sigma > 0"
 """
-SETTINGS = 2 + 3 * 3
+SETTINGS = 2 + 4 * 3  # two tolerances of exact, three steps of each scheme
 
 
 class Precision(unittest.TestCase):

@@ -56,7 +56,7 @@ inline Law drawn_law(Solver solver) {
 inline void draw_integrator(Parameters& p, Solver solver) {
   if (p.method == Method::ed || solver == Solver::linear || solver == Solver::nonlinear) return;
   if (solver == Solver::any && *rc::gen::inRange(0, 8) < 7) return;
-  p.integrator = *rc::gen::element(Integrator::gear5, Integrator::verlet, Integrator::rk4);
+  p.integrator = *rc::gen::element(Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog);
   p.steps_per_tc = *rc::gen::oneOf(rc::gen::just(0), rc::gen::inRange(2, 200));
   p.tolerance = *decades(-5, -2);
 }

@@ -224,7 +224,7 @@ TEST(LatticeTrajectory, SamplesDoNotDependOnOneAnother) {
 }
 
 TEST(LatticeTrajectory, FixedStepsComeCloseToTheExactOne) {
-  for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4})
+  for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog})
     for (const double sigma : {0.0, 0.3}) {
       const double duration = 10 * tc;
       Parameters p = lattice(sigma);

@@ -177,7 +177,7 @@ TEST(Trajectory, DeepestOverlapIsTheResults) {
 }
 
 TEST(Trajectory, FixedStepsComeCloseToTheExactOne) {
-  for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4})
+  for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog})
     for (const double s0 : {0.0, 1e-6}) {
       const double duration = 1e-4;
       Parameters p = figure_1(s0, Method::md, integrator);

@@ -40,7 +40,9 @@ constexpr std::array<std::string_view, n> names_in(const std::array<Info, n>& ta
 constexpr auto enumerator_names(Method) { return names_up_to<Method::ed>("md", "ed"); }
 constexpr auto enumerator_names(SideWalls) { return names_up_to<SideWalls::fixed>("periodic", "fixed"); }
 constexpr auto enumerator_names(Wall) { return names_up_to<Wall::matched>("paper", "matched"); }
-constexpr auto enumerator_names(Integrator) { return names_up_to<Integrator::rk4>("exact", "gear5", "verlet", "rk4"); }
+constexpr auto enumerator_names(Integrator) {
+  return names_up_to<Integrator::leapfrog>("exact", "gear5", "verlet", "rk4", "leapfrog");
+}
 constexpr auto enumerator_names(Material) { return names_up_to<Material::aluminium>("none", "steel", "aluminium"); }
 constexpr auto enumerator_names(EdRule) { return names_up_to<EdRule::tc>("lrv", "tc"); }
 constexpr auto enumerator_names(Flag) { return names_up_to<Flag::yes>("false", "true"); }

@@ -21,7 +21,7 @@ enum class SideWalls : std::uint8_t { periodic, fixed };
 enum class Wall : std::uint8_t { paper, matched };
 
 /// How soft spheres are moved: exactly between contact events, or by a scheme of fixed time step tc/steps_per_tc.
-enum class Integrator : std::uint8_t { exact, gear5, verlet, rk4 };
+enum class Integrator : std::uint8_t { exact, gear5, verlet, rk4, leapfrog };
 
 /// The contact force F = K x^(1+beta) + D x^gamma x', x > 0 the overlap; Eqs. (2), (3), (8) and Sec. IV B. The
 /// exponents are in the table of laws (law.hpp).

@@ -156,7 +156,7 @@ double largest_difference(const Trajectory& a, const Trajectory& b) {
 
 /// Steps of fixed length go to the same motion, in first order as contacts open and close within a step.
 TEST(VibratedSoftSpheres, FixedStepsConverge) {
-  for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4})
+  for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog})
     for (const double width : {0.0, 2e-4}) {
       SCOPED_TRACE(testing::Message() << int(integrator) << ' ' << width);
       Parameters p = vibrated(3, 0.7, 2e-3, 3.0);

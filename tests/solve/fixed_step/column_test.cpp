@@ -15,7 +15,8 @@ namespace {
 
 class FixedStep : public testing::TestWithParam<Integrator> {};
 
-INSTANTIATE_TEST_SUITE_P(Schemes, FixedStep, testing::Values(Integrator::gear5, Integrator::verlet, Integrator::rk4),
+INSTANTIATE_TEST_SUITE_P(Schemes, FixedStep,
+                         testing::Values(Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog),
                          [](const auto& scheme) { return std::string(name_of(scheme.param)); });
 
 Column<double> column(std::int64_t N, double eps, double sigma, Wall wall = Wall::paper) {

@@ -50,7 +50,7 @@ class FixedStepConvergence : public testing::TestWithParam<Integrator> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Schemes, FixedStepConvergence,
-                         testing::Values(Integrator::gear5, Integrator::verlet, Integrator::rk4),
+                         testing::Values(Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog),
                          [](const auto& scheme) { return std::string(name_of(scheme.param)); });
 
 TEST_P(FixedStepConvergence, IsOfFirstOrder) {
@@ -109,12 +109,37 @@ TEST_P(FixedStepConvergence, TheMatchedWallHasTheRestitutionOfAPair) {
   EXPECT_NEAR(c.t_k, p.tc, 1e-3 * p.tc);  // and the contact time of one
 }
 
-TEST(VelocityVerlet, ConservesEnergyWithoutDamping) {
+/// Columns whose beads touch at the start, at tc/100. The values are of an independent program, which steps positions
+/// and velocities instead of overlaps; both round, and 12 digits are known.
+TEST(VelocityVerlet, BothKindsTakeTheStepsOfAnIndependentProgram) {
+  struct Stepped {
+    std::int64_t N;
+    double epsilon, verlet, leapfrog;
+  };
+  for (const Stepped& s : {Stepped{1, 0.9, 0.928634218383, 0.928594839328},   //
+                           Stepped{5, 0.9, 0.959330876583, 0.959310031587},   //
+                           Stepped{10, 0.9, 0.966711552134, 0.966724307110},  //
+                           Stepped{2, 0.5, 0.724470177080, 0.723995627370},   //
+                           Stepped{5, 0.5, 0.823468603855, 0.823358064152}}) {
+    SCOPED_TRACE(testing::Message() << "N " << s.N << " epsilon " << s.epsilon);
+    Parameters p = soft_column({.epsilon = s.epsilon, .steps_per_tc = 100.0, .N = s.N});
+    p.integrator = Integrator::verlet;
+    EXPECT_NEAR(simulate(p).eps_eff, s.verlet, 2e-12);
+    p.integrator = Integrator::leapfrog;
+    EXPECT_NEAR(simulate(p).eps_eff, s.leapfrog, 2e-12);
+  }
+}
+
+class WithoutDamping : public testing::TestWithParam<Integrator> {};
+INSTANTIATE_TEST_SUITE_P(Symplectic, WithoutDamping, testing::Values(Integrator::verlet, Integrator::leapfrog),
+                         [](const auto& scheme) { return std::string(name_of(scheme.param)); });
+
+TEST_P(WithoutDamping, ConservesEnergy) {
   for (const double sigma : {0.0, 0.5, 7.0}) {
     Parameters p;
     p.epsilon = 1.0;
     p.sigma = sigma;
-    p.integrator = Integrator::verlet;
+    p.integrator = GetParam();
     p.steps_per_tc = 500.0;
     // (omega dt)^2 = 8e-5 of an energy at each of the switches.
     EXPECT_NEAR(simulate(p).eps_eff, 1.0, 1e-4) << sigma;

@@ -21,7 +21,7 @@
 namespace sigmasweep {
 namespace {
 
-constexpr std::array schemes{Integrator::gear5, Integrator::verlet, Integrator::rk4};
+constexpr std::array schemes{Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog};
 
 /// d/(v0 tc) as the reference program has it.
 Parameters parameters(std::int64_t rows, std::int64_t columns, double epsilon, double sigma, double d = 1000.0) {

@@ -72,6 +72,12 @@ TEST(Stability, LimitsWithoutDamping) {
   EXPECT_GT(growth(Integrator::verlet, 2.001), 1.01);
   for (const double omega_dt : {0.5, 1.5, 2.828}) EXPECT_LT(growth(Integrator::rk4, omega_dt), 1.0);
   EXPECT_GT(growth(Integrator::rk4, 2.829), 1.0);
+  // Leapfrog: half velocities and positions obey a 2 x 2 map of determinant 1 - c and trace 2 - k - c, whose
+  // eigenvalues are within the unit circle for k + 2 c < 4 (Jury's conditions).
+  for (const double c : {0.0, 0.1, 0.5, 1.0, 1.5}) {
+    EXPECT_LE(growth_per_step(Integrator::leapfrog, {3.999 - 2.0 * c, c}), 1.0 + 1e-9) << c;
+    EXPECT_GT(growth_per_step(Integrator::leapfrog, {4.001 - 2.0 * c, c}), 1.0 + 1e-5) << c;
+  }
   // Damping without a spring: -c dt > -2.7853 for Runge's and Kutta's.
   EXPECT_LE(growth_per_step(Integrator::rk4, {1e-12, 2.785}), 1.0 + 1e-9);
   EXPECT_GT(growth_per_step(Integrator::rk4, {1e-12, 2.786}), 1.0);
@@ -149,7 +155,7 @@ TEST(Stability, SmallLattices) {
 // and at half the limit's steps something happens.
 TEST(Stability, LatticesAndWhatVibratesBehaveAsPredicted) {
   const auto check = [](Parameters p) {
-    for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4}) {
+    for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog}) {
       p.integrator = integrator;
       bool seen = false;
       for (const double steps : {3.0, 5.0, 8.0, 12.0, 20.0, 40.0, 80.0}) {
@@ -254,7 +260,8 @@ TEST(Stability, NothingIsRefusedThatHasAResult) {
           p.epsilon = eps;
           column = reduced_column<double>(p);
           for (const double steps : {2.0, 5.0, 10.0, 20.0, 50.0, 80.0})
-            for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4})
+            for (const Integrator integrator :
+                 {Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog})
               check(integrator, steps);
         }
   EXPECT_GT(refused, 50);

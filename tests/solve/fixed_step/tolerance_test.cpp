@@ -18,7 +18,7 @@ namespace {
 class FixedStepTolerance : public testing::TestWithParam<Integrator> {};
 
 INSTANTIATE_TEST_SUITE_P(Schemes, FixedStepTolerance,
-                         testing::Values(Integrator::gear5, Integrator::verlet, Integrator::rk4),
+                         testing::Values(Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog),
                          [](const auto& scheme) { return std::string(name_of(scheme.param)); });
 
 Parameters tuple(std::int64_t N, double sigma, double eps) {

@@ -78,7 +78,7 @@ TEST(Refusal, WrongTypes) {
 TEST(Refusal, UnknownNames) {
   EXPECT_EQ(alone("method = \"mdd\""), "bad.toml:3: sweep.method = \"mdd\": must be 'md' or 'ed' (did you mean 'md'?)");
   EXPECT_EQ(alone("integrator = [\"gear\"]"),
-            "bad.toml:3: sweep.integrator = \"gear\": must be 'exact', 'gear5', 'verlet' or 'rk4' "
+            "bad.toml:3: sweep.integrator = \"gear\": must be 'exact', 'gear5', 'verlet', 'rk4' or 'leapfrog' "
             "(did you mean 'gear5'?)");
   EXPECT_EQ(alone("geometry = \"latice\""),
             "bad.toml:3: sweep.geometry = \"latice\": must be 'column', 'vibrated-column', 'lattice' or "
@@ -138,8 +138,9 @@ TEST(Refusal, MissingParameters) {
 }
 
 TEST(Refusal, ParametersThatNothingUses) {
-  EXPECT_EQ(alone("steps_per_tc = 50"),
-            "bad.toml:3: sweep.steps_per_tc: no tuple uses it: it needs integrator = 'gear5', 'verlet' or 'rk4'");
+  EXPECT_EQ(
+      alone("steps_per_tc = 50"),
+      "bad.toml:3: sweep.steps_per_tc: no tuple uses it: it needs integrator = 'gear5', 'verlet', 'rk4' or 'leapfrog'");
   expect_part(alone("integrator = \"gear5\"\ntolerance = 1e-8\nsteps_per_tc = 50"),
               "bad.toml:4: sweep.tolerance: 'steps_per_tc' and 'tolerance' conflict");
   expect_part(alone("integrator = \"gear5\"\nsteps_per_tc = 0"), "bad.toml:4: sweep.steps_per_tc: must be from 2");

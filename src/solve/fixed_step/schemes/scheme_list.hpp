@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "solve/fixed_step/schemes/gear5.hpp"
+#include "solve/fixed_step/schemes/leapfrog.hpp"
 #include "solve/fixed_step/schemes/rk4.hpp"
 #include "solve/fixed_step/schemes/scheme.hpp"
 #include "solve/fixed_step/schemes/verlet.hpp"
@@ -13,7 +14,7 @@ template <Scheme... Schemes>
 struct SchemeList {};
 
 /// All schemes of fixed step. Everything that depends on the scheme is made from this list.
-using FixedStepSchemes = SchemeList<Gear5, Verlet, RungeKutta4>;
+using FixedStepSchemes = SchemeList<Gear5, Verlet, RungeKutta4, Leapfrog>;
 
 template <class With, class First, class... Rest>
 auto with_scheme_of(SchemeList<First, Rest...> /*candidates*/, Integrator integrator, With&& with) {
