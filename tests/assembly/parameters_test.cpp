@@ -12,6 +12,7 @@
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/names.hpp"
+#include "sigmasweep/model/result.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -28,6 +28,8 @@ inline constexpr std::array geometries{
     GeometryInfo{Geometry::lattice, "lattice", Assembly::lattice, GroundKind::wall},
     GeometryInfo{Geometry::vibrated_lattice, "vibrated-lattice", Assembly::lattice, GroundKind::plate},
 };
+static_assert(geometries.size() == static_cast<std::size_t>(Geometry::vibrated_lattice) + 1);
+constexpr auto enumerator_names(Geometry) { return names_in(geometries); }
 
 constexpr const GeometryInfo& geometry_of(const Parameters& p) {
   return geometries[static_cast<std::size_t>(p.geometry)];

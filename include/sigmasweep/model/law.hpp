@@ -32,6 +32,8 @@ inline constexpr std::array laws{
     LawInfo{Law::power, "power", {0.0, 0.0}, true, "any exponents beta and gamma, Eq. (8)"},
     LawInfo{Law::cone, "cone", {1.0, 1.0}, false, "viscoelastic cones, Sneddon, Int. J. Eng. Sci. 3, 47 (1965)"},
 };
+static_assert(laws.size() == static_cast<std::size_t>(Law::cone) + 1);
+constexpr auto enumerator_names(Law) { return names_in(laws); }
 
 /// Exponents of the parameters' law.
 constexpr Exponents exponents(const Parameters& p) {

@@ -6,11 +6,6 @@
 #include <span>
 #include <string_view>
 
-#include "sigmasweep/model/geometry.hpp"
-#include "sigmasweep/model/law.hpp"
-#include "sigmasweep/model/parameters.hpp"
-#include "sigmasweep/model/result.hpp"
-
 /// Names of enumerators, as users write and read them. An enumeration registers its names beside itself, by a function
 /// enumerator_names() of one value that returns them in the order of their numbers:
 ///
@@ -35,28 +30,6 @@ constexpr std::array<std::string_view, n> names_in(const std::array<Info, n>& ta
   }
   return names;
 }
-
-// The enumerations of the model.
-constexpr auto enumerator_names(Method) { return names_up_to<Method::ed>("md", "ed"); }
-constexpr auto enumerator_names(SideWalls) { return names_up_to<SideWalls::fixed>("periodic", "fixed"); }
-constexpr auto enumerator_names(Wall) { return names_up_to<Wall::matched>("paper", "matched"); }
-constexpr auto enumerator_names(Integrator) {
-  return names_up_to<Integrator::leapfrog>("exact", "gear5", "verlet", "rk4", "leapfrog");
-}
-constexpr auto enumerator_names(Material) { return names_up_to<Material::aluminium>("none", "steel", "aluminium"); }
-constexpr auto enumerator_names(EdRule) { return names_up_to<EdRule::tc>("lrv", "tc"); }
-constexpr auto enumerator_names(Flag) { return names_up_to<Flag::yes>("false", "true"); }
-constexpr auto enumerator_names(End) {
-  return names_up_to<End::quiet>("none", "separated", "settled", "periods", "quiet");
-}
-constexpr auto enumerator_names(Status) {
-  return names_up_to<Status::quarantined>("ok", "collapsed", "tolerance_missed", "unstable", "event_limit",
-                                          "time_limit", "non_finite", "failed", "not_run", "quarantined");
-}
-constexpr auto enumerator_names(Geometry) { return names_in(geometries); }
-constexpr auto enumerator_names(Law) { return names_in(laws); }
-static_assert(geometries.size() == static_cast<std::size_t>(Geometry::vibrated_lattice) + 1);
-static_assert(laws.size() == static_cast<std::size_t>(Law::cone) + 1);
 
 template <class Enum>
 inline constexpr auto registered_names = enumerator_names(Enum{});

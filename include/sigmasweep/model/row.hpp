@@ -7,17 +7,17 @@
 
 namespace sigmasweep {
 
-/// One point of a sweep: row `index` of the table (0-based, spec order) and what defines it.
+/// A point of a sweep: row `index` of the table (0-based, in the order of the spec) and the parameters that define it.
 struct Tuple {
   std::uint64_t index = 0;
   Parameters parameters;
 };
 
-/// What may differ between two runs of the same sweep; kept apart from the results.
+/// Everything about a row that may differ between two runs of the same sweep; stored apart from the results.
 struct Timing {
   double run_time = 0.0;        ///< CPU time of the rank's thread spent on the tuple, s
-  double predicted_time = 0.0;  ///< what the cost model said, s
-  std::int32_t rank = -1;       ///< who computed it
+  double predicted_time = 0.0;  ///< CPU time that the cost model predicted, s
+  std::int32_t rank = -1;       ///< rank that computed it
   std::int32_t attempt = 0;     ///< 1 for the first try
 };
 
