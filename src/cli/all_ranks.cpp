@@ -13,14 +13,13 @@
 namespace sigmasweep {
 namespace {
 
-/// An error that one rank alone meets ends all ranks: none of them must wait for it.
+/// Ends all ranks after an error on one of them, which the others would wait for.
 [[noreturn]] void abort_all(const World& world, int exit_code, const char* message) {
   fmt::print(stderr, "sigmasweep: rank {}: {}\n", world.rank(), message);
   world.abort(exit_code);
 }
 
-/// MPI waits for all ranks at its end. An error that the manager met alone, unknown to the others, must not make it
-/// wait for ever.
+/// Ends this process after 30 s. MPI waits at its end for all ranks, which may not know of an error on the manager.
 void end_soon(int exit_code) {
   std::thread([exit_code] {
     std::this_thread::sleep_for(std::chrono::seconds(30));
@@ -36,8 +35,8 @@ int on_all_ranks(int& argc, char**& argv, const std::function<int(World&)>& comm
     return command(world);
   } catch (const Error& error) {
     if (!world.is_manager()) abort_all(world, error.exit_code(), error.what());
-    // The other ranks know, and leave with the same code. Say it before MPI ends: once the first of them is gone,
-    // mpirun may end this rank too.
+    // The other ranks know of the error and return the same code. It is printed before MPI ends, because mpirun may end
+    // this rank as soon as the first of them is gone.
     fmt::print(stderr, "sigmasweep: {}\n", error.what());
     end_soon(error.exit_code());
     return error.exit_code();

@@ -12,16 +12,16 @@ namespace sigmasweep {
 
 class World;
 
-/// What a command does. It returns the exit code and throws Error. The first kind is called by one process, the second
-/// by every rank of mpirun.
+/// The body of a command, which returns the exit code and may throw Error. The first kind is called by one process, the
+/// second by every rank of mpirun.
 using Action = std::variant<std::function<int()>, std::function<int(World&)>>;
 
-/// A command of the program: a value that each file in cli/commands makes.
+/// A command of the program. Each file in cli/commands makes one.
 struct Command {
   std::string_view name;
   std::string_view summary;  ///< one line of help
   std::string footer;        ///< the help below the options
-  /// Adds the options to a set. The action that is returned uses the values that they have been given by then.
+  /// Adds the options to a set. The action that is returned uses their values at the time of its call.
   std::function<Action(OptionSet&)> prepare;
 };
 
@@ -37,7 +37,7 @@ Command make_command(std::string_view name, std::string_view summary, const std:
           }};
 }
 
-/// The same for a command that is run by all ranks.
+/// A command for all ranks of mpirun, otherwise as above.
 template <class Options>
 Command make_command(std::string_view name, std::string_view summary, const std::string& footer,
                      void (*declare)(OptionSet&, Options&), int (*body)(World&, const Options&)) {

@@ -14,18 +14,18 @@
 #include "cli/registry.hpp"
 #include "cli/version.hpp"
 
-/// The only source that knows CLI11, whose headers take long to compile.
+/// The only source that includes CLI11, because its headers take long to compile.
 namespace sigmasweep {
 namespace {
 
 constexpr const char* description =
-    "sigmasweep computes what columns of beads do when they hit a wall, for whole grids of parameters, on as many\n"
-    "processes as mpirun gives it.";
+    "sigmasweep computes collisions of columns and lattices of beads with a wall or a vibrating plate, for whole\n"
+    "grids of parameters, on as many processes as mpirun starts.";
 
 constexpr const char* examples = R"(
 Examples:
   sigmasweep one --v0 1 --tc 2e-5 --s0 1e-6 --N 10 --epsilon 0.9     one collision, now
-  sigmasweep plan fig2a.toml --ranks 8                               what a sweep would take
+  sigmasweep plan fig2a.toml --ranks 8                               predicted computing time of a sweep
   sigmasweep run fig2a.toml                                          the sweep on one core -> fig2a.h5
   mpirun sigmasweep run fig2a.toml                                   the same on all cores; run it again to go on
   sigmasweep plot fig2a.h5 -o fig2a.svg                              the picture that the spec asks for
@@ -35,7 +35,7 @@ Examples:
 Exit codes: 0 all rows fine; 1 finished, but some rows failed; 64 bad command line; 65 bad spec; 66 input not found;
 70 a bug; 73 output cannot be created; 74 I/O error; 75 stopped on purpose (run it again to go on).)";
 
-/// The options of a command, as CLI11 has them.
+/// Options of a command in CLI11.
 class Cli11Options final : public OptionSet {
  public:
   explicit Cli11Options(CLI::App& command) : command_(command) {}
@@ -90,8 +90,8 @@ class Cli11Options final : public OptionSet {
   CLI::App& command_;
 };
 
-/// What is wrong with an argument that nothing took, and which one was probably meant.
-std::string about_leftover(const CLI::App& app) {
+/// The message about arguments that no option takes, with the name that was probably meant.
+std::string unknown_argument(const CLI::App& app) {
   const auto leftovers = app.remaining(true);
   const auto asked = app.get_subcommands();
   if (leftovers.empty()) return "a command is needed: run, plan, one, plot, show, export, ...";
@@ -110,14 +110,14 @@ std::string about_leftover(const CLI::App& app) {
   return fmt::format("there is {} '{}'{}", kind, typed, meant ? fmt::format(", did you mean '{}'?", *meant) : "");
 }
 
-/// Help and version go to standard output. A mistake is one line on standard error, which says where to read more.
+/// Prints help or version to standard output, or a mistake in one line to standard error. Returns the exit code.
 int explain(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
     return launched_rank() == 0 ? app.exit(error) : 0;
   std::string command;
   for (const CLI::App* asked : app.get_subcommands()) command += asked->get_name() + " ";
   const bool unknown = !app.remaining(true).empty() || command.empty();
-  std::string message = unknown ? about_leftover(app) : error.what();
+  std::string message = unknown ? unknown_argument(app) : error.what();
   std::ranges::replace(message, '\n', ' ');
   complain(fmt::format("{} (see sigmasweep {}--help)", message, command));
   return exit_code::usage_error;

@@ -6,8 +6,8 @@
 
 namespace sigmasweep {
 
-/// Reads the command line. Returns the action of the command that was asked for. Where help, the version or a mistake
-/// ends the program, prints it and returns the exit code.
+/// Reads the command line and returns the action of its command. If help, the version or a mistake ends the program,
+/// prints it and returns the exit code.
 std::variant<Action, int> read_command_line(int argc, char** argv);
 
 }  // namespace sigmasweep

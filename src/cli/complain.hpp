@@ -4,7 +4,7 @@
 
 namespace sigmasweep {
 
-/// This process's rank as the launcher tells it, before or without MPI_Init; 0 outside of mpirun and srun.
+/// The rank of this process from the launcher's environment, before or without MPI_Init; 0 outside of mpirun and srun.
 int launched_rank();
 
 /// Prints a message to standard error, on rank 0 only.

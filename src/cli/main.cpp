@@ -14,14 +14,14 @@ namespace {
 
 using namespace sigmasweep;
 
-/// A failure to write to standard output becomes the exit code of a run that was fine otherwise.
+/// The exit code of a run, or the code of an I/O error if its standard output could not be written.
 int flushed(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   complain("cannot write to standard output");
   return exit_code::io_error;
 }
 
-/// A command for one process is left to rank 0 where mpirun has started several.
+/// Runs an action. If mpirun has started several processes, rank 0 runs a command for one process.
 int perform(const Action& action, int& argc, char**& argv) {
   if (const auto* collective = std::get_if<std::function<int(World&)>>(&action))
     return on_all_ranks(argc, argv, *collective);
@@ -31,7 +31,7 @@ int perform(const Action& action, int& argc, char**& argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a failed write, and named
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large becomes a failed write, whose message names the file
   try {
     const auto asked = read_command_line(argc, argv);
     if (const int* code = std::get_if<int>(&asked)) return flushed(*code);

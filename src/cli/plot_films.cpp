@@ -54,13 +54,13 @@ void plot_films(const StoredSweep& stored, const PlotSpec& spec, const std::stri
     return plot_velocity_fields(panels, sweep.axes(), spec.mean_over, title, file);
   if (!spec.mean_over.empty())
     throw UsageError(
-        "plot: of trajectories only velocities of lattices by phase have means: 'mean_over' needs "
-        "geometry = 'vibrated-lattice' and x = 'phase'");
+        "plot: only velocity fields by phase can be averaged: 'mean_over' needs geometry = 'vibrated-lattice' and "
+        "x = 'phase'");
   if (planes == std::ssize(panels)) return plot_lattices(panels, sweep.axes(), title, file);
   if (planes > 0)
     throw UsageError(
-        "plot: trajectories of columns and of lattices find no place on one picture: choose with 'where' "
-        "in [plot]");
+        "plot: trajectories of columns and of lattices cannot be drawn on one picture: choose rows with 'where' in "
+        "[plot]");
   const std::uint64_t columns = sweep.axes().empty() ? 1 : sweep.axis_sizes().back();
   plot_trajectories(panels, columns, sweep.axes(), title, file, spec.by_phase);
 }

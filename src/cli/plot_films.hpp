@@ -7,8 +7,8 @@
 
 namespace sigmasweep {
 
-/// Draws `spec`, of kind trajectories, from the files beside the table. Throws InputNotFound where one is missing,
-/// IoError where one is not of this table, and what plot_trajectories() throws.
+/// Draws a plot of kind trajectories from the trajectory files beside the table. Throws InputNotFound if a file is
+/// missing, IoError if it does not belong to the table, and the errors of plot_trajectories().
 void plot_films(const StoredSweep& stored, const PlotSpec& spec, const std::string& table, const std::string& file);
 
 }  // namespace sigmasweep

@@ -4,7 +4,7 @@
 
 namespace sigmasweep {
 
-/// Program, git revision, compiler, MPI and HDF5: a line each.
+/// Versions of program, git revision, compiler, MPI and HDF5, a line each.
 std::string version_text();
 
 }  // namespace sigmasweep

@@ -59,7 +59,7 @@ std::string expression_label(std::string_view expression) {
   const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   const auto is_part = [&](char c) { return is_letter(c) || c == '.'; };
   std::string out;
-  char before = 0;  // the last character that is no space
+  char before = 0;  // the last character that is not a space
   for (std::size_t i = 0; i < expression.size();) {
     const char c = expression[i];
     const bool raised = before == '^';

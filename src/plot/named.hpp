@@ -7,10 +7,10 @@
 
 namespace sigmasweep {
 
-/// The plot of that name. Throws UsageError with the known names.
+/// The plot with this name. Throws UsageError with the names that there are.
 const PlotSpec& plot_named(const std::vector<PlotSpec>& plots, const std::string& name);
 
-/// "dir/beads-NAME.svg" from "dir/beads.svg": the files of a spec's further plots.
+/// The file of a spec's further plot: "dir/beads-NAME.svg" where the first plot is "dir/beads.svg".
 std::string picture_named(const std::string& file, const std::string& name);
 
 }  // namespace sigmasweep

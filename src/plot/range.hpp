@@ -5,10 +5,10 @@
 
 namespace sigmasweep::plot {
 
-/// The smallest range that holds what it is told of; NaN it passes over.
+/// The smallest range that includes all numbers given to it, without NaN.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  void take(double value) {
+  void include(double value) {
     low = std::min(low, value);
     high = std::max(high, value);
   }

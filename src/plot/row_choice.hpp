@@ -10,10 +10,10 @@
 
 namespace sigmasweep {
 
-/// The rows that a plot is about: those that satisfy its `where`; all if that is empty.
+/// The condition `where` of a plot: whether it shows a row. An empty condition is always true.
 class RowChoice {
  public:
-  /// `fields`: those that the condition may name. Throws UsageError, which quotes the condition.
+  /// The condition may name `fields`. Throws UsageError, which quotes the condition.
   explicit RowChoice(const std::string& where, std::span<const Field> fields = all_fields());
   bool operator()(const Row& row) { return !where_ || (*where_)(row); }
 

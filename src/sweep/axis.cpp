@@ -11,10 +11,10 @@
 namespace sigmasweep {
 namespace {
 
-/// Axes up to this length are computed once.
+/// Largest length of an axis whose values are stored.
 constexpr std::uint64_t tabulate_up_to = 4096;
 
-/// The shortest decimal that reads back as `value`, in extended precision: 1e-7 to 19 digits, not to 16.
+/// The shortest decimal that reads back as `value`, in extended precision: 1e-7 with 19 digits instead of 16.
 long double as_written(double value) {
   const std::string decimal = fmt::format("{}", value);
   long double exact = value;
@@ -47,7 +47,7 @@ double Axis::Sample::point(std::uint64_t k) const {
   const double u = unit(k);
   const Interval& interval = scale.interval;
   if (!interval.whole || interval.log) return scale.divided(u, 1.0L - u);
-  // Each whole number gets the same share of [0, 1).
+  // Each whole number has an equal part of [0, 1).
   return std::min(interval.to, interval.from + std::floor(u * (interval.to - interval.from + 1.0)));
 }
 
@@ -85,7 +85,7 @@ double Axis::Sample::unit(std::uint64_t k) const {
     case SampleKind::uniform: return unit_interval(random_bits(sampling.key, k));
     case SampleKind::sobol: return unit_interval(sobol.bits(k) ^ sampling.key);
     case SampleKind::latin_hypercube: {
-      // One value in each of `count` equal strata, the strata in shuffled order.
+      // One value in each of `count` equal strata, in shuffled order.
       const std::uint64_t stratum = shuffled(k, count, random_bits(sampling.key, count));
       const double within = unit_interval(random_bits(sampling.key, k));
       return (static_cast<double>(stratum) + within) / static_cast<double>(count);

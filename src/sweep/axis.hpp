@@ -10,44 +10,44 @@
 
 namespace sigmasweep {
 
-/// The numbers between two end points, evenly spaced themselves or by their logarithms (then from, to > 0);
-/// `whole`: only whole numbers.
+/// The interval of an axis, with its end points.
 struct Interval {
   double from = 0.0, to = 0.0;
-  bool log = false, whole = false;
+  bool log = false;    ///< values are evenly spaced in the logarithm; from, to > 0
+  bool whole = false;  ///< values are whole numbers
 };
 
 enum class SampleKind : std::uint8_t { uniform, sobol, latin_hypercube };
 
-/// How an interval is sampled. `key` from stream_key(); for sobol it is a digital shift, 0 the plain sequence.
+/// The method of sampling an interval.
 struct Sampling {
   SampleKind kind = SampleKind::uniform;
-  std::uint64_t key = 0;
-  std::size_t dimension = 0;  ///< sobol: which dimension of the sequence
+  std::uint64_t key = 0;      ///< from stream_key(); sobol: a digital shift, 0 for the plain sequence
+  std::size_t dimension = 0;  ///< sobol: dimension of the sequence
 };
 
-/// The values that a parameter takes, by index. Ranges and samples are computed, not stored, so that an axis of 2^40
-/// values costs no memory. Enumerators are their numbers. End points are exact. What lies between them is computed in
-/// extended precision from the end points as decimals, so that it is the double that a user would write: ten values
-/// from 0.1 to 1 are 0.1, 0.2, 0.3 ..., and a logarithmic range hits its decades.
+/// The values of a parameter, by index. Ranges and samples are computed when they are used, so that an axis of 2^40
+/// values needs no memory. An enumerator's value is its number. End points are exact. Values between them are computed
+/// in extended precision from the end points as decimals, so that each is the double that a user would write: ten
+/// values from 0.1 to 1 are 0.1, 0.2, 0.3 ..., and a logarithmic range hits its decades.
 class Axis {
  public:
   static Axis list(std::vector<double> values);
   /// `count` values from interval.from to interval.to, both included. A logarithmic range of whole numbers is rounded,
-  /// and values that repeat are dropped. A linear range of whole numbers must have a whole step (see has_whole_step).
+  /// and repeated values are dropped. A linear range of whole numbers must have a whole step (see has_whole_step).
   static Axis range(const Interval& interval, std::uint64_t count);
   static Axis sample(const Interval& interval, std::uint64_t count, const Sampling& sampling);
 
   std::uint64_t size() const;
   double operator[](std::uint64_t k) const;
-  /// A smallest interval known to hold all values.
+  /// The smallest interval that is known to include all values.
   std::pair<double, double> bounds() const;
 
  private:
-  /// An interval with its end points as they were written, or their logarithms.
+  /// An interval with its end points as decimals, or with the logarithms of these.
   struct Scale {
     explicit Scale(const Interval& interval);
-    /// The value that divides the interval in parts of these lengths (of the logarithm for a logarithmic one).
+    /// The value that divides the interval into parts of these lengths, on a logarithmic scale of the logarithm.
     double divided(long double from_start, long double to_end) const;
     Interval interval;
     long double start, end;
@@ -72,7 +72,7 @@ class Axis {
   Values values_;
 };
 
-/// Whether a linear range of whole numbers lands on whole numbers.
+/// Whether `count` evenly spaced values of an interval of whole numbers are all whole numbers.
 bool has_whole_step(const Interval& interval, std::uint64_t count);
 
 }  // namespace sigmasweep

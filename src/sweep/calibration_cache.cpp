@@ -33,7 +33,7 @@ bool has_own_stiffness(const Parameters& base, const std::vector<ParameterGrid::
   return base.K_over_m > 0.0 || base.material != Material::none || !with_axis(groups, given).empty();
 }
 
-/// At most `most` tuples; without an overflow.
+/// Whether the groups make at most `most` tuples. It is counted in floating point, which does not overflow.
 bool is_small(const std::vector<ParameterGrid::Group>& groups, std::uint64_t most) {
   double size = 1.0;
   for (const ParameterGrid::Group& group : groups) size *= static_cast<double>(group.front().axis.size());
@@ -46,8 +46,8 @@ bool takes_long(const Parameters& p) {
   return (p.K_over_m > 0.0 || p.material != Material::none) && !exponents(p).linear();
 }
 
-std::vector<ParameterGrid::Group> deciding_contacts(const Parameters& base,
-                                                    const std::vector<ParameterGrid::Group>& groups) {
+std::vector<ParameterGrid::Group> groups_of_pairs(const Parameters& base,
+                                                  const std::vector<ParameterGrid::Group>& groups) {
   return has_own_stiffness(base, groups) ? with_axis(groups, of_pair) : std::vector<ParameterGrid::Group>{};
 }
 
@@ -55,13 +55,13 @@ CalibrationCache::CalibrationCache(const Parameters& base, const std::vector<Par
   if (!has_own_stiffness(base, groups)) return;
   for (const bool pairs_too : {false, true}) {
     const auto deciding = with_axis(groups, pairs_too ? std::span<const std::string_view>(of_pair) : of_material);
-    if (!is_small(deciding, max_remembered)) continue;
-    for (std::uint64_t i = 0; i < size_of(deciding); ++i) learn(values_at(base, deciding, i), pairs_too);
+    if (!is_small(deciding, max_pairs)) continue;
+    for (std::uint64_t i = 0; i < size_of(deciding); ++i) insert(values_at(base, deciding, i), pairs_too);
   }
   const auto deciding = with_axis(groups, of_pair);
-  if (is_small(deciding, max_remembered)) return;
+  if (is_small(deciding, max_pairs)) return;
   const auto materials = with_axis(groups, of_material);
-  for (std::uint64_t i = 0; i < std::min(size_of(materials), max_remembered); ++i)
+  for (std::uint64_t i = 0; i < std::min(size_of(materials), max_pairs); ++i)
     is_slow_ = is_slow_ || takes_long(values_at(base, materials, i));
 }
 
@@ -75,7 +75,7 @@ CalibrationCache::PairKey CalibrationCache::pair_key(const Parameters& p) {
   return {beta, gamma, p.K_over_m, p.D_n, p.v0};
 }
 
-void CalibrationCache::learn(Parameters p, bool pairs_too) {
+void CalibrationCache::insert(Parameters p, bool pairs_too) {
   if (!takes_long(p)) return;
   if (p.material != sigmasweep::Material::none) {
     const auto [known, is_new] = materials_.try_emplace(material_key(p));
@@ -101,7 +101,7 @@ void CalibrationCache::derive_known_material(Parameters& p) const {
   p.D_n = known->second.D_n;
 }
 
-void CalibrationCache::give(Parameters& p) const {
+void CalibrationCache::derive_contact(Parameters& p) const {
   derive_known_material(p);
   if (pairs_.empty() || !takes_long(p) || std::isnan(p.D_n)) return derive_pair(p);
   const auto known = pairs_.find(pair_key(p));

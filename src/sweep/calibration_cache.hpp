@@ -10,18 +10,19 @@
 
 namespace sigmasweep {
 
-/// The contacts of a sweep: what derive_material() and derive_pair() say, to the bit, without the time that they take
-/// with laws that are not linear. Nothing changes after construction: safe from several threads at once.
+/// A cache of the results of derive_material() and derive_pair() for the tuples of a sweep, because both take long for
+/// nonlinear laws. Results are the same to the bit. The cache is filled by the constructor and does not change later,
+/// so that several threads can use it at once.
 class CalibrationCache {
  public:
-  /// At most this many pairs are worked out beforehand: a second or two.
-  static constexpr std::uint64_t max_remembered = 1 << 13;
+  /// Largest number of pairs in the cache; they take a second or two.
+  static constexpr std::uint64_t max_pairs = 1 << 13;
 
   CalibrationCache(const Parameters& base, const std::vector<ParameterGrid::Group>& groups);
 
-  /// derive_material() and derive_pair().
-  void give(Parameters& parameters) const;
-  /// Whether give() takes 0.1 ms and more, because there are too many different pairs to remember.
+  /// Does the same as derive_material() and derive_pair().
+  void derive_contact(Parameters& parameters) const;
+  /// Whether derive_contact() may take 0.1 ms or more, because the sweep has more than max_pairs different pairs.
   bool is_slow() const { return is_slow_; }
 
  private:
@@ -36,7 +37,7 @@ class CalibrationCache {
 
   static MaterialKey material_key(const Parameters& parameters);
   static PairKey pair_key(const Parameters& parameters);
-  void learn(Parameters parameters, bool pairs_too);
+  void insert(Parameters parameters, bool pairs_too);
   void derive_known_material(Parameters& parameters) const;
 
   std::map<MaterialKey, Material> materials_;
@@ -44,12 +45,12 @@ class CalibrationCache {
   bool is_slow_ = false;
 };
 
-/// The groups that decide what the pairs of a sweep are like: those with an axis of the law, the stiffness, the damping
-/// or v0. None where tc and epsilon are given.
-std::vector<ParameterGrid::Group> deciding_contacts(const Parameters& base,
-                                                    const std::vector<ParameterGrid::Group>& groups);
+/// The groups of axes on which tc and epsilon of a pair depend: law, stiffness, damping and v0. There are none if tc
+/// and epsilon are given.
+std::vector<ParameterGrid::Group> groups_of_pairs(const Parameters& base,
+                                                  const std::vector<ParameterGrid::Group>& groups);
 
-/// Whether derive_pair() takes long: for laws that are not linear with a stiffness of their own.
+/// Whether derive_pair() takes long, as it does for nonlinear laws with a given stiffness.
 bool takes_long(const Parameters& parameters);
 
 }  // namespace sigmasweep

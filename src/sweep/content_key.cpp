@@ -11,7 +11,7 @@
 namespace sigmasweep {
 
 std::uint64_t content_key(const Parameters& parameters) {
-  // Every parameter in the order of their list: padding never counts, a new parameter always does.
+  // All parameters in the order of the registry, without padding bytes.
   constexpr std::size_t max_fields = 64;
   std::array<std::uint64_t, max_fields> words{physics_version};
   std::size_t used = 1;

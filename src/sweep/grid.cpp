@@ -35,7 +35,7 @@ Parameters ParameterGrid::at(std::uint64_t index) const {
   assert(index < size_);
   Parameters parameters = values_at(base_, groups_, index);
   derive_beads(parameters);
-  contacts_->give(parameters);
+  contacts_->derive_contact(parameters);
   derive_gap(parameters, gap_);
   derive_plate_motion(parameters);
   return parameters;

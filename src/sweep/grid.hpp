@@ -13,22 +13,22 @@ namespace sigmasweep {
 
 class CalibrationCache;
 
-/// All tuples of a sweep before `where`: groups of axes multiply, the last group fastest; the axes of one group
-/// advance together. Index -> tuple is arithmetic.
+/// All tuples of a sweep before `where`. Groups of axes multiply, the last group fastest; the axes of one group advance
+/// together. A tuple is computed from its index.
 class ParameterGrid {
  public:
   struct Member {
     const ParameterField* field;
     Axis axis;
   };
-  using Group = std::vector<Member>;  ///< axes of one length; at least one
+  using Group = std::vector<Member>;  ///< one or more axes of equal length
 
-  /// `base` holds the parameters that are no axes, `gap` says which of s0 and sigma is given. What complete() needs
-  /// much time for is worked out here, as long as it is not too much, and remembered.
+  /// `base` has the parameters that are not axes; `gap` is the one of s0 and sigma that is given. Fills a
+  /// CalibrationCache.
   ParameterGrid(const Parameters& base, GapParameter gap, std::vector<Group> groups);
 
   std::uint64_t size() const { return size_; }
-  /// The tuple, as complete() makes it. Safe from several threads at once.
+  /// The tuple with the parameters that complete() derives. Several threads may call it at once.
   Parameters at(std::uint64_t index) const;
   const Parameters& base() const { return base_; }
   const std::vector<Group>& groups() const { return groups_; }
@@ -42,8 +42,9 @@ class ParameterGrid {
   std::shared_ptr<const CalibrationCache> contacts_;
 };
 
-/// Number of tuples of these groups, which fits into 64 bits, and the values of one of them; the rest is `base`.
+/// Number of tuples of the groups, which must fit into 64 bits.
 std::uint64_t size_of(const std::vector<ParameterGrid::Group>& groups);
+/// The parameters `base` with the values of the groups' axes at an index.
 Parameters values_at(const Parameters& base, const std::vector<ParameterGrid::Group>& groups, std::uint64_t index);
 
 }  // namespace sigmasweep

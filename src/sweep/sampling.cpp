@@ -24,8 +24,8 @@ std::uint64_t shuffled(std::uint64_t k, std::uint64_t count, std::uint64_t key) 
 }
 
 SobolDimension::SobolDimension(std::size_t dimension) {
-  // Point n is the exclusive or of the direction numbers at the bits of the Gray code of n + 1 (Boost has no origin),
-  // so the point whose Gray code is the single bit j, n + 1 = 2^(j+1) - 1, is direction number j itself.
+  // Point n is the exclusive or of the direction numbers at the bits of the Gray code of n + 1, as Boost leaves out the
+  // origin. The Gray code of n + 1 = 2^(j+1) - 1 is the single bit j: this point is direction number j.
   boost::random::sobol engine(dimension + 1);
   for (std::size_t j = 0; j < direction_.size(); ++j) {
     engine.seed((std::uint64_t{1} << (j + 1)) - 2);

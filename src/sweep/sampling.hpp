@@ -6,15 +6,15 @@
 
 #include "base/random.hpp"
 
-/// Quasi-random numbers as functions of an index, as the random ones of scene/random.hpp.
+/// Quasi-random numbers as functions of an index, as the random numbers of base/random.hpp are.
 namespace sigmasweep {
 
-/// The place of k in a permutation of 0 .. count-1 chosen by `key`: a Feistel network on the next power of four,
-/// walked until it falls below count (Black & Rogaway, CT-RSA 2002).
+/// The place of k in a permutation of 0 .. count-1 that `key` chooses: a Feistel network on the next power of four,
+/// repeated until the result is below count (Black & Rogaway, CT-RSA 2002).
 std::uint64_t shuffled(std::uint64_t k, std::uint64_t count, std::uint64_t key);
 
-/// One dimension of the Sobol sequence with the direction numbers of Joe & Kuo (2008), from Boost. The origin is
-/// skipped: the first dimension begins 0.5, 0.75, 0.25, ...
+/// A dimension of the Sobol sequence with the direction numbers of Joe & Kuo (2008), from Boost. The origin is left
+/// out: the first dimension begins 0.5, 0.75, 0.25, ...
 class SobolDimension {
  public:
   explicit SobolDimension(std::size_t dimension);

@@ -10,13 +10,13 @@ constexpr std::uint64_t words_per_block = 64;
 }
 
 void Selection::push(bool member) {
-  if (told_ % 64 == 0) {
+  if (pushed_ % 64 == 0) {
     if (words_.size() % words_per_block == 0) before_.push_back(size_);
     words_.push_back(0);
   }
-  words_.back() |= std::uint64_t{member} << told_ % 64;
+  words_.back() |= std::uint64_t{member} << pushed_ % 64;
   size_ += member;
-  ++told_;
+  ++pushed_;
 }
 
 std::uint64_t Selection::operator[](std::uint64_t k) const {

@@ -5,7 +5,7 @@
 namespace sigmasweep {
 namespace {
 
-constexpr std::uint64_t places_key = 0x736c696365;  // part of the definition: another key would be other slices
+constexpr std::uint64_t places_key = 0x736c696365;  // must not change: another key would make other slices
 
 }  // namespace
 

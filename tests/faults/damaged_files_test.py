@@ -1,4 +1,5 @@
-"""Tables and journals that were damaged, cut, or come from elsewhere: seen, said once, not used, not overwritten."""
+"""Damaged, truncated and foreign tables and journals are detected and reported once; they are neither used nor
+overwritten."""
 
 import os
 import random
@@ -19,7 +20,7 @@ def flipped(data, byte, bit):
 
 
 def layout(dtype):
-    """What the checksum takes the layout for: "name offset type" and an enumeration's names."""
+    """The layout as text for the checksum: "name offset type" and the names of an enumeration."""
     text = ""
     for name in dtype.names:
         member, offset = dtype.fields[name][:2]
@@ -114,7 +115,7 @@ class DamagedJournals(unittest.TestCase):
         sweep = self.stopped()
         data = bytearray(sweep.journal.read_bytes())
         data[44] ^= 1
-        data[48:56] = struct.pack("<Q", xxh3(bytes(data[:48])))  # the header is whole
+        data[48:56] = struct.pack("<Q", xxh3(bytes(data[:48])))  # the header's checksum is right
         sweep.journal.write_bytes(data)
         for ranks in (0, 2):
             ended = sweep.run(ranks)

@@ -1,6 +1,6 @@
-/* LD_PRELOAD: the FAIL_AT-th call of FAIL_CALL on a file whose path contains FAIL_PATH fails with FAIL_ERRNO; so do
-   those after it, if FAIL_ON is set. In the process of rank FAIL_RANK only, if that is set. For calls of HDF5, which
-   then fail before they do anything, the path is empty. */
+/* A library for LD_PRELOAD that makes calls fail: the FAIL_AT-th call of FAIL_CALL on a file whose path contains
+   FAIL_PATH fails with FAIL_ERRNO, and so do later calls if FAIL_ON is set. With FAIL_RANK only calls of this rank fail.
+   Calls of HDF5 fail before they do anything; FAIL_PATH must be empty for them. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -22,7 +22,7 @@ static int of_our_rank(void) {
   return wanted == NULL || (rank != NULL && strcmp(wanted, rank) == 0);
 }
 
-/* errno of the failure, or 0 */
+/* errno of the failure, or 0 for a call that does not fail. */
 static int fails(const char* call, const char* path) {
   const char *wanted = getenv("FAIL_CALL"), *part = getenv("FAIL_PATH");
   if (wanted == NULL || part == NULL || strcmp(wanted, call) != 0 || strstr(path, part) == NULL) return 0;

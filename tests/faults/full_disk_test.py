@@ -1,5 +1,5 @@
-"""A file system that is really full: a small tmpfs, mounted where only this process and its children see it. Skipped
-where that is not allowed (77)."""
+"""Runs on a full file system: a small tmpfs that is mounted for this process and its children only. The test is skipped
+(exit 77) where mounting is not allowed."""
 
 import ctypes
 import os
@@ -16,7 +16,7 @@ CLONE_NEWNS, CLONE_NEWUSER = 0x00020000, 0x10000000
 
 
 def own_mounts():
-    """Whether this process may mount now."""
+    """Gives this process mounts of its own; False where that is not allowed."""
     flags = CLONE_NEWNS | (CLONE_NEWUSER if os.getuid() else 0)
     uid, gid = os.getuid(), os.getgid()
     if ctypes.CDLL(None).unshare(flags) != 0:
@@ -50,7 +50,7 @@ class FullDisk(unittest.TestCase):
         subprocess.run(["umount", str(sweep.table.parent)], check=True)
 
     def check(self, size, words, ranks):
-        """Rows kept when the disk was full."""
+        """Number of rows that were kept when the disk was full."""
         sweep = self.disk(size)
         ended = sweep.run(ranks)
         self.assertIn(ended.code, (73, 74), ended)
@@ -74,7 +74,7 @@ class FullDisk(unittest.TestCase):
             self.assertLess(self.check("40k", "table.h5.journal", ranks), 360)
 
     def test_table_does_not_fit(self):
-        """In the first size there is no room for all of it beside the journal, in the second for the journal alone."""
+        """The first size has room for the journal and half of the table, the second for the journal only."""
         for ranks in (0, 2):
             for room in (self.table_size // 2, 4096):
                 size = self.journal_size() + room

@@ -1,8 +1,8 @@
-"""kill -9 of any rank, or of mpirun, at any time: run again, the sweep goes on with every row that had come in, and the
-results are the same to the bit as without the kill. KILL_TRIALS says how often (10).
+"""A sweep survives kill -9 of any rank, or of mpirun, at any time: the next run goes on with every row that was
+finished, and the results are the same to the bit as without the kill. KILL_TRIALS is the number of trials (10).
 
-One exception is on purpose: a row that was alone in flight at two kills looks as if the processes died of it, and is
-left out until --retry. Here it is allowed only where that is what happened."""
+There is one exception: if the same row alone was being computed at two kills, the processes may have died of it, and it
+is left out until --retry. The test allows this only for such rows."""
 
 import collections
 import concurrent.futures
@@ -26,7 +26,7 @@ TEXT = spec()
 
 
 def wait_until_gone(processes):
-    """The ranks beside one that was killed need a moment, and those whose mpirun was."""
+    """Waits for the end of ranks after another rank, or mpirun, was killed."""
     def runs(pid):
         try:
             return pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] not in "ZX"
@@ -41,8 +41,8 @@ def wait_until_gone(processes):
 
 
 def in_flight(sweep):
-    """What the ranks were at when they died, as table.h5.running has it: which run it was, and the rows. A line of 8
-    numbers with the run's name and the count of ranks, then a line for each rank, which starts with its row + 1."""
+    """The run that died and the rows that were being computed, from table.h5.running: a line of 8 numbers with the
+    run's name and the number of ranks, then a line for each rank, which starts with its row + 1."""
     try:
         data = (sweep.path / "table.h5.running").read_bytes()
     except FileNotFoundError:
@@ -57,9 +57,9 @@ class Trial:
 
     def __init__(self, test, seed):
         self.test, self.random, self.sweep = test, random.Random(seed), Sweep(TEXT)
-        self.kept = {}    # run_time by row, as the last kill left them
-        self.alone = {}   # the row that was alone in flight, by run that was killed
-        self.hits = []    # what the kills hit
+        self.kept = {}    # run_time by row, after the last kill
+        self.alone = {}   # the only row that was being computed, by run that was killed
+        self.hits = []    # the phase of the run at each kill
         self.left_out = set()
 
     def __call__(self):
@@ -74,7 +74,7 @@ class Trial:
         moment = self.random.random()
         if moment < 0.15:  # MPI begins
             time.sleep(self.random.uniform(0.0, 0.5))
-        elif moment < 0.65:  # rows come in: just after one was written, or later
+        elif moment < 0.65:  # rows are computed: just after one was written, or later
             self.sweep.wait_for_rows(process, len(self.sweep.journalled()) + self.random.randint(1, 250))
             time.sleep(self.random.choice([0.0, self.random.uniform(0.0, 0.1)]))
         else:  # the ranks write the table together
@@ -92,13 +92,13 @@ class Trial:
         if self.random.random() < 0.2 or not ranks:
             process.kill()
         else:
-            with contextlib.suppress(ProcessLookupError):  # it was faster
+            with contextlib.suppress(ProcessLookupError):  # the rank has ended before
                 os.kill(self.random.choice(ranks), signal.SIGKILL)
         process.send_signal(signal.SIGCONT)
         wait_until_gone(ranks)
         try:
             process.communicate(timeout=30)
-        except subprocess.TimeoutExpired:  # mpirun alone, locked up in the end of its PMIx server: seen once in 250
+        except subprocess.TimeoutExpired:  # mpirun may hang at the end of its PMIx server, once in 250
             self.hits.append("mpirun hung without ranks")
             process.kill()
             process.communicate()
@@ -158,8 +158,8 @@ class KillAndResume(unittest.TestCase):
         self.assertGreater(hits["rows"] + hits["the table"], TRIALS // 3, "the kills came too late to test anything")
 
     def test_what_a_kill_leaves_in_the_machine(self):
-        """Open MPI opens files under a semaphore with the file's base name, and keeps a file beside it. What a killed
-        run leaves taken, here by hand, must not stop others, and what it leaves in the directory goes away."""
+        """A semaphore that a killed run left locked does not stop other runs, and its files are removed. Open MPI opens
+        a file under a semaphore with the file's base name, and keeps files of its own beside it."""
         sweep = Sweep(spec(steps=20))
         sweep.table = sweep.path / f"taken-{os.getpid()}.h5"
         part = f"{sweep.table.name}.part"

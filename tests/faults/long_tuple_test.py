@@ -1,5 +1,5 @@
-"""A tuple that takes too long does not hold up a run: not its end, not a signal, and not when it takes the process
-down."""
+"""A tuple that takes too long does not delay the end of a run or its stop by a signal, and a run goes on after such a
+tuple has killed its process."""
 
 import os
 import signal
@@ -24,7 +24,7 @@ integrator   = "gear5"
 steps_per_tc = [500.0, 500.0, 500.0, 1e6]
 """
 LONG_ROW = 3
-# Rows 2 and 3 do.
+# Rows 2 and 3 take minutes.
 TWO_LONG = LONG.replace("[2, 3, 4, 200]", "[2, 3, 199, 200]").replace("500.0, 1e6]", "1e6, 1e6]")
 
 
@@ -36,8 +36,8 @@ def statuses(sweep):
 
 
 def in_flight(sweep):
-    """The run's number, and rank by row, from the file beside the table: numbers of 8 bytes, a line of 8 for each rank
-    after the first."""
+    """The run's number, and rank by row, from the file beside the table: lines of 8 numbers of 8 bytes, the first for
+    the run, the others for a rank each."""
     try:
         data = (sweep.path / "table.h5.running").read_bytes()
     except FileNotFoundError:
@@ -48,8 +48,8 @@ def in_flight(sweep):
 
 
 def start_long_rows(sweep, ranks, *options, rows=(LONG_ROW,)):
-    """The process, and the ranks that compute these rows, once they do."""
-    before, _ = in_flight(sweep)  # what a dead run left says nothing about this one
+    """Starts a run and waits until these rows are being computed. Returns the process and the ranks of the rows."""
+    before, _ = in_flight(sweep)  # the notes of a run that died
     process = sweep.start(ranks, *options)
     end = time.monotonic() + LIMIT
     while process.poll() is None and time.monotonic() < end:
@@ -141,13 +141,13 @@ class LongTuple(unittest.TestCase):
         process, [rank] = start_long_rows(sweep, 2)
         os.kill(ranks_of(process)[rank], signal.SIGKILL)
         end_of(process)
-        process, _ = start_long_rows(sweep, 2)  # it is tried again
+        process, _ = start_long_rows(sweep, 2)  # the row is tried again
         process.send_signal(signal.SIGUSR1)
         self.assertEqual(end_of(process).code, 75)
 
 
 class Retry(unittest.TestCase):
-    """Rows that were given up can be had again, without the others."""
+    """Rows that were given up can be computed again, without the others."""
 
     def test_time_limit(self):
         for ranks in (0, 2):
@@ -192,7 +192,7 @@ class Retry(unittest.TestCase):
         self.assertEqual(set(sweep.journalled()), {0, 1, 2})
 
     def test_nothing_to_retry(self):
-        sweep = Sweep(LONG.replace("1e6", "2.0").replace("0.9", "0.1"))  # unstable wherever it is computed
+        sweep = Sweep(LONG.replace("1e6", "2.0").replace("0.9", "0.1"))  # unstable on any machine
         self.assertEqual(sweep.run(0).code, 1)
         before = sweep.table.stat().st_mtime_ns
         ended = sweep.run(0, "--retry")

@@ -1,7 +1,7 @@
-# sigmasweep_process_test(NAME LABEL label TIMEOUT seconds): NAME.py here, unittest cases that start the program as a
-# user does. The distribution's own Python has h5py (python3-h5py); another one in the PATH may not.
-# They mostly wait: for MPI to begin, for mpirun to end what is left of a killed run, for a time limit. So two of them
-# run at a time; and first, as they take the longest.
+# sigmasweep_process_test(NAME LABEL label TIMEOUT seconds): a test that runs NAME.py of this folder, unittest cases
+# that start the program as a user does. It uses the distribution's Python, which has h5py (python3-h5py). These tests
+# mostly wait for MPI to begin, for mpirun to end a killed run, or for a time limit, so that two of them can run at a
+# time. They run first, because they take the longest.
 include_guard(DIRECTORY)
 find_program(SIGMASWEEP_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
 

@@ -1,4 +1,5 @@
-"""What a run must not do: write over something else, share a table with another run, say everything once per rank."""
+"""A run does not overwrite foreign files, does not share a table with another run, and prints a message once, not once
+per rank."""
 
 import os
 import resource
@@ -82,7 +83,7 @@ class Refusals(unittest.TestCase):
         first = sweep.start(2)
         sweep.wait_for_rows(first)
         manager = ranks_of(first)[0]
-        os.kill(manager, signal.SIGSTOP)  # so that it cannot be ready before the others have tried
+        os.kill(manager, signal.SIGSTOP)  # the first run must not end before the others have started
         try:
             for ranks, options in ((0, []), (2, []), (2, ["--fresh"])):
                 second = sweep.run(ranks, *options)
@@ -94,7 +95,7 @@ class Refusals(unittest.TestCase):
         self.assertEqual(ended.code, 0, ended)
 
     def test_full_disk_keeps_what_is_there(self):
-        """A limit on the size of files stands for the full disk: the journal gets no further than that."""
+        """A limit on the size of the journal stands for a full disk."""
         sweep = Sweep()
         process = sweep.start(0, preexec_fn=lambda: signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
         sweep.wait_for_rows(process)

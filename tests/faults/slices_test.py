@@ -1,4 +1,5 @@
-"""--slice, merge, --extend and --reuse: rows computed elsewhere or earlier, the same table in the end, bit for bit."""
+"""--slice, merge, --extend and --reuse use rows that were computed elsewhere or earlier, and make the same table, bit
+for bit."""
 
 import os
 import random
@@ -11,7 +12,7 @@ import unittest
 import h5py
 from sweep_process import MPIEXEC, PROGRAM, Sweep, end_of, ranks_of, spec, xxh3
 
-QUICK = spec(steps=20).replace("[2, 5, 10, 20]", "[2, 3, 5, 8]")  # milliseconds in all
+QUICK = spec(steps=20).replace("[2, 5, 10, 20]", "[2, 3, 5, 8]")  # milliseconds for all rows
 EXTENDED = QUICK.replace("[0.9, 0.8]", "[0.9, 0.85, 0.8]").replace("count = 15", "count = 29")
 
 
@@ -75,7 +76,7 @@ class Slices(unittest.TestCase):
             self.assertEqual((ended.code, ended.err.count("another slice")), (73, 1), ended)
 
     def test_slices_are_balanced(self):
-        """Also where their number is that of an axis: each slice has some of the long rows."""
+        """Slices have equal cost even if their number is the length of an axis: each has some of the long rows."""
         whole = Sweep(spec(steps=20).replace("[2, 5, 10, 20]", "10").replace("[1.0, 0.1, 0.01]", "1.0"))
         parts = self.slices(15, text=whole.spec.read_text())
         predicted = [part.timings()["predicted_time"].sum() for part in parts]
@@ -151,7 +152,7 @@ class Extend(unittest.TestCase):
             self.assertIn("nothing to compute", sweep.run(ranks, "--extend").err)
 
     def test_killed_in_between_loses_nothing(self):
-        """Neither rows of the old table or journal, nor new ones; and --extend is needed only once."""
+        """Neither old nor new rows are lost, and --extend is needed only once."""
         slow, extended = spec(), spec().replace("[0.9, 0.8]", "[0.9, 0.8, 0.7]")
         whole = Sweep(extended)
         self.assertEqual(whole.run(2).code, 0)

@@ -1,4 +1,5 @@
-"""SIGTERM, SIGINT and SIGUSR1 stop a run on purpose: exit 75, everything done is kept, run again it goes on."""
+"""SIGTERM, SIGINT and SIGUSR1 stop a run: it ends with exit code 75, keeps all finished rows, and the next run goes
+on."""
 
 import os
 import signal
@@ -6,7 +7,7 @@ import unittest
 
 from sweep_process import Sweep, end_of, ranks_of, spec
 
-LONG = spec(steps=8000)  # even a loaded machine gets its signal out before the end
+LONG = spec(steps=8000)  # long enough for a signal before the end on a busy machine
 SIGNALS = [signal.SIGTERM, signal.SIGINT, signal.SIGUSR1]
 
 
@@ -66,11 +67,11 @@ class StopSignals(unittest.TestCase):
                     self.assertGreater(len(sweep.journalled()), 0)
 
     def test_mpirun_terminated(self):
-        """mpirun hands the signal on after a second, kills after another, and has an exit code of its own: what is done
-        is kept all the same."""
+        """Finished rows are kept when mpirun is terminated. It passes the signal on after a second, kills the ranks
+        after another, and has its own exit code."""
         for number in (signal.SIGTERM, signal.SIGINT):
             with self.subTest(signal=number):
-                sweep = Sweep(spec(steps=20000))  # long against that second
+                sweep = Sweep(spec(steps=20000))  # much longer than a second
                 process = sweep.start(3)
                 sweep.wait_for_rows(process)
                 process.send_signal(number)

@@ -1,6 +1,6 @@
-"""A sweep as processes: what the tests need that kill, stop, refuse and resume runs of the program.
+"""A sweep as processes, for tests that kill, stop and resume runs of the program.
 
-The environment says what to run: SIGMASWEEP, the program; MPIEXEC, mpirun (with the options that it needs here).
+Environment: SIGMASWEEP, the program; MPIEXEC, mpirun with its options; FAILING_CALLS, the library of failing_calls.c.
 """
 
 import ctypes
@@ -17,10 +17,11 @@ import h5py
 
 PROGRAM = os.environ["SIGMASWEEP"]
 MPIEXEC = shlex.split(os.environ.get("MPIEXEC", "mpirun --oversubscribe"))
-LIMIT = 120  # s; what hangs fails
+LIMIT = 120  # s; a process that takes longer hangs, and fails the test
 
-# 360 rows of fixed steps, of a millisecond to some ten each: a second or two to be disturbed in, and at 20 steps none
-# to wait for. From sigma = 10 on, the longest columns are chaotic, and their error bars would take most of the time.
+# 360 rows of fixed steps. With 4000 steps a row takes 1 to about 10 ms and a run one or two seconds, in which it can be
+# disturbed; with 20 steps it takes hardly any time. For sigma > 10 the longest columns are chaotic, and error bars
+# would take most of the time.
 SPEC = """
 title = "A sweep to be disturbed"
 [sweep]
@@ -50,14 +51,14 @@ def failing(call, at=1, number=errno.EIO, path="", on=False, rank=None):
 
 
 def xxh3(data, seed=0):
-    """XXH3_64bits, as the program's files have it."""
+    """The checksum XXH3_64bits of the program's files."""
     library = ctypes.CDLL("libxxhash.so.0")
     library.XXH3_64bits_withSeed.restype = ctypes.c_uint64
     return library.XXH3_64bits_withSeed(data, ctypes.c_size_t(len(data)), ctypes.c_uint64(seed))
 
 
 class Sweep:
-    """One spec and its table in a directory of their own."""
+    """A spec and its table in a temporary directory."""
 
     def __init__(self, text=None):
         self.home = tempfile.TemporaryDirectory(prefix="sigmasweep-")
@@ -71,7 +72,7 @@ class Sweep:
         self.home.cleanup()
 
     def command(self, ranks, *options):
-        """ranks = 0: without mpirun."""
+        """The command of a run; without mpirun for ranks = 0."""
         launcher = [*MPIEXEC, "-n", str(ranks)] if ranks else []
         return [*launcher, PROGRAM, "run", str(self.spec), "-o", str(self.table), *options]
 
@@ -94,8 +95,8 @@ class Sweep:
         return sorted(entry.name for entry in self.path.iterdir())
 
     def journalled(self):
-        """run_time by row, from the journal that a run left: header of 56 bytes with the record's size at byte 12;
-        a record starts with the row's index and ends with run_time, predicted_time, rank, attempt, checksum."""
+        """run_time by row, from the journal. Its header of 56 bytes has the size of a record at byte 12. A record
+        starts with the row's index and ends with run_time, predicted_time, rank, attempt and checksum."""
         if not self.journal.exists():
             return {}
         data = self.journal.read_bytes()
@@ -106,7 +107,7 @@ class Sweep:
         return rows
 
     def finish_keeping_rows(self):
-        """Runs again to the end; rows that the journal has are not computed again. Returns these."""
+        """Runs again to the end. Rows of the journal must not be computed again; returns them."""
         kept = self.journalled()
         again = self.run(2)
         assert again.code == 0, again
@@ -115,7 +116,7 @@ class Sweep:
         return kept
 
     def wait_for_rows(self, process, rows=1):
-        """Until the journal has so many, or the run is over."""
+        """Waits until the journal has this number of rows, or the run is over."""
         end = time.monotonic() + LIMIT
         while process.poll() is None and len(self.journalled()) < rows:
             if time.monotonic() > end:
@@ -154,7 +155,7 @@ def ranks_of(process):
 
 
 def wait_until_unlocked(sweep):
-    """Ranks whose mpirun was killed need a moment to notice."""
+    """Waits for the end of ranks whose mpirun was killed."""
     end = time.monotonic() + 20
     while time.monotonic() < end:
         with open("/proc/locks") as locks:

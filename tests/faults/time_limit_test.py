@@ -1,4 +1,5 @@
-"""--max-time and the end of a Slurm job: no row is begun that would not end in time; what fits is done, and exit 75."""
+"""A run ends in time for --max-time or the end of a Slurm job: it computes the rows that fit and returns exit code
+75."""
 
 import os
 import stat
@@ -55,7 +56,7 @@ class TimeLimit(unittest.TestCase):
             start = time.monotonic()
             ended = sweep.run(2, option, "3")
             self.assertEqual(ended.code, 75, ended)
-            self.assertLess(time.monotonic() - start, 10)  # 3 s, and what it takes to start and end MPI on a busy machine
+            self.assertLess(time.monotonic() - start, 10)  # 3 s, and start and end of MPI on a busy machine
             self.assertGreater(len(sweep.journalled()), 0)
 
     def test_refusals(self):
@@ -67,7 +68,7 @@ class TimeLimit(unittest.TestCase):
 
 
 class InSlurmJob(unittest.TestCase):
-    """Without Slurm: a job's environment, and a squeue of our own in the PATH."""
+    """A job without Slurm: the environment of a job, and a script squeue in the PATH."""
 
     def script(self, path, text):
         path.parent.mkdir(exist_ok=True)
@@ -80,7 +81,7 @@ class InSlurmJob(unittest.TestCase):
         self.script(sweep.path / "bin" / "squeue", f"echo \"$@\" >> {sweep.path}/asked\n{squeue}")
         # mpirun puts its own directory first in the PATH, and a real squeue may be there.
         program = self.script(sweep.path / "bin" / "program", f"PATH={sweep.path}/bin:$PATH exec {PROGRAM} \"$@\"")
-        # Open MPI must not take us for a part of that job.
+        # Open MPI must not start the ranks by Slurm.
         environment |= {f"OMPI_MCA_{part}": "^slurm" for part in ("ras", "plm", "ess")}
         with unittest.mock.patch("sweep_process.PROGRAM", program):
             return sweep.run(ranks, env=environment)

@@ -1,6 +1,6 @@
-"""Every write, sync, rename, truncation and reservation of space fails once: exit 73 or 74 with the file's name, what
-was stored stays readable, and the run goes on when there is room again. WRITE_ERRORS=all tries every call of each
-kind."""
+"""A run survives the failure of any write, sync, rename, truncation or reservation of space: it ends with exit code 73
+or 74 and the name of the file, stored rows stay readable, and the next run goes on. WRITE_ERRORS=all tries every call
+of each kind."""
 
 import concurrent.futures
 import errno
@@ -11,8 +11,8 @@ from sweep_process import Sweep, failing, spec
 
 ALL = os.environ.get("WRITE_ERRORS") == "all"
 QUICK = spec(steps=20).replace("count = 15", "count = 3")  # 72 rows
-MOST = 200  # calls of a kind; rows are written one by one
-AT_ONCE, BATCH = 3, 12  # most of a run is waiting for MPI to begin and end
+MOST = 200  # largest number of calls of a kind; rows are written one by one
+AT_ONCE, BATCH = 3, 12  # a run mostly waits for MPI to begin and end
 
 
 class WriteErrors(unittest.TestCase):
@@ -24,7 +24,7 @@ class WriteErrors(unittest.TestCase):
         cls.results = cls.whole.results()
 
     def check(self, ranks, **how):
-        """Whether the failure came to pass."""
+        """Whether the failure occurred."""
         sweep = Sweep(QUICK)
         ended = sweep.run(ranks, env=failing(**{"path": "table.h5", **how}))
         if ended.code != 0:
@@ -37,7 +37,7 @@ class WriteErrors(unittest.TestCase):
         return ended.code != 0
 
     def sweep_over(self, ranks, samples, **how):
-        """How many failures came to pass; of all calls: until none does any more."""
+        """Number of failures that occurred in the calls `samples`, or in all calls of this kind."""
         came, numbers = 0, range(1, MOST) if ALL else samples
         with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
             for first in range(0, len(numbers), BATCH):

@@ -15,7 +15,7 @@ namespace {
 
 struct ExportOptions {
   std::string table, output;
-  std::string format;  ///< a name of row_formats(); empty: by the ending of `output`
+  std::string format;  ///< a name of row_formats(); empty: from the ending of `output`
   bool timings = false;
 };
 
@@ -25,7 +25,7 @@ RowFormat chosen_format(const ExportOptions& options) {
   return row_format(ending.empty() ? ending : ending.substr(1)).value_or(row_formats().front());
 }
 
-/// The file remembers what cannot be written.
+/// Writes rows to a file. Errors are kept in the file's error indicator.
 void write(std::FILE* file, RowWriter& writer, const std::vector<Row>& rows) {
   const auto put = [file](const std::string& text) { std::fwrite(text.data(), 1, text.size(), file); };
   put(writer.head());
@@ -58,9 +58,10 @@ void declare(OptionSet& set, ExportOptions& options) {
   const std::string names = fmt::format("{}", fmt::join(formats, "|"));
   set.add({"table", "A table that 'run' wrote", "TABLE.h5"}, options.table);
   set.add({"-o,--output", "The file; default: standard output", "FILE." + names}, options.output);
-  set.add({"--format", fmt::format("Default: by the file's ending, or {}", formats.front()), names, formats},
+  set.add({"--format", fmt::format("Format of the rows; default: from the file's ending, else {}", formats.front()),
+           names, formats},
           options.format);
-  set.add_flag("--timings", "With run time, predicted time, rank and attempt", options.timings);
+  set.add_flag("--timings", "Add the columns run time, predicted time, rank and attempt", options.timings);
 }
 
 }  // namespace

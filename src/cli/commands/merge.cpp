@@ -19,15 +19,15 @@ namespace sigmasweep {
 namespace {
 
 struct MergeOptions {
-  std::string output;              ///< path of the table that is made
+  std::string output;              ///< path of the merged table
   std::vector<std::string> parts;  ///< paths of the slices' tables
-  bool fresh = false;              ///< replace the table that is there
+  bool fresh = false;              ///< replace an existing table
   bool quiet = false;
 };
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(exit_code::bad_data, what + "; nothing was written"); }
+[[noreturn]] void refuse(const std::string& why) { throw Error(exit_code::bad_data, why + "; nothing was written"); }
 
-/// The table of a part, which must be of this sweep (the first part: of any) and of this program.
+/// The table of a part. Its spec must be that of the first part, and its rows must be of this program's physics.
 Table read_part(const std::string& path, const TableInfo* first) {
   StoredSweep part = read_stored_sweep(path);
   if (const std::string why_not = why_not_ours(part); !why_not.empty()) refuse(fmt::format("{} {}", path, why_not));
@@ -46,7 +46,7 @@ bool same_bits(const Row& a, const Row& b) {
 
 bool is_there(const Row& row) { return row.result.status != Status::not_run; }
 
-/// Puts the rows of `part` to the others. Throws where a row is there already and is not the same.
+/// Adds the rows of `part`. Throws if another part has a row with a different result.
 void add(std::vector<Row>& rows, const Table& part, const std::string& path) {
   std::string differing;
   std::uint64_t count = 0;
@@ -62,23 +62,24 @@ void add(std::vector<Row>& rows, const Table& part, const std::string& path) {
                        count > 10 ? ", ..." : ""));
 }
 
-/// All rows must be there; else says which slices are not.
+/// Throws if rows are missing, with the numbers of their slices.
 void require_all(const std::vector<Row>& rows, std::uint64_t slices) {
   std::uint64_t missing = 0;
-  std::set<std::uint64_t> of;
+  std::set<std::uint64_t> missing_slices;
   for (std::uint64_t row = 0; row < rows.size(); ++row) {
     if (is_there(rows[row])) continue;
     ++missing;
-    of.insert(Slice::with(row, slices).index);
+    missing_slices.insert(Slice::with(row, slices).index);
   }
   if (missing == 0) return;
   std::string names;
-  for (const std::uint64_t slice : of) names += fmt::format("{}{}/{}", names.empty() ? "" : ", ", slice, slices);
-  refuse(fmt::format("{} of {} rows are missing, those of slice{} {}", missing, rows.size(), of.size() > 1 ? "s" : "",
-                     names));
+  for (const std::uint64_t slice : missing_slices)
+    names += fmt::format("{}{}/{}", names.empty() ? "" : ", ", slice, slices);
+  refuse(fmt::format("{} of {} rows are missing, those of slice{} {}", missing, rows.size(),
+                     missing_slices.size() > 1 ? "s" : "", names));
 }
 
-/// Joins the tables of slices. Throws Error of code 65 where the parts do not fit together or rows are missing.
+/// Joins the tables of slices. Throws Error with exit code 65 if the parts do not fit together or rows are missing.
 int merge(const MergeOptions& options) {
   Table first = read_part(options.parts.front(), nullptr);
   const Sweep sweep = Sweep::parse_stored(first.info.spec_text, options.parts.front());
@@ -114,16 +115,16 @@ int merge(const MergeOptions& options) {
   return std::ranges::all_of(rows, [](const Row& row) { return is_success(row.result.status); }) ? 0 : 1;
 }
 
-/// The manager merges. The other ranks only wait: MPI starts and ends with all of them.
+/// Merges on the manager, while the other ranks wait for it.
 int merge_on_root(World& world, const MergeOptions& options) {
   return run_on_root(world, [&] { return merge(options); });
 }
 
 void declare(OptionSet& set, MergeOptions& options) {
-  set.add({"output", "The table to make", "TABLE.h5"}, options.output);
-  set.add({"parts", "Tables of the same spec that have all its rows together", "PART.h5..."}, options.parts,
+  set.add({"output", "The merged table", "TABLE.h5"}, options.output);
+  set.add({"parts", "Tables of one spec, which together have all its rows", "PART.h5..."}, options.parts,
           Several::arguments);
-  set.add_flag("--fresh", "Replace what is there", options.fresh);
+  set.add_flag("--fresh", "Replace an existing table", options.fresh);
   set.add_flag("-q,--quiet", "No summary", options.quiet);
 }
 

@@ -20,18 +20,18 @@ namespace sigmasweep {
 namespace {
 
 struct OneOptions {
-  std::map<std::string_view, std::string> given;  ///< parameter: value as typed
+  std::map<std::string_view, std::string> given;  ///< value as typed, by parameter
   bool json = false;
 };
 
-/// The value as TOML writes it: what a number is was checked before.
+/// The value in TOML. Numbers have been checked before.
 std::string toml_value(const Field& field, const std::string& typed) {
   if (field.type == FieldType::of<Flag>()) return typed;
   if (!enumerators(field.type).empty()) return fmt::format("\"{}\"", typed);
   return field.type == FieldType::real ? fmt::format("{}", std::stod(typed)) : typed;
 }
 
-/// The tuple, as a sweep of one row: the spec knows what may be given together and says what is wrong.
+/// The tuple as a sweep of one row, so that the spec's checks and messages apply.
 Sweep sweep_of(const OneOptions& options) {
   const std::string file = "command line";
   std::string spec = "[sweep]\n";
@@ -56,7 +56,7 @@ std::string readable(const Field& field, const Row& row) {
   return field.unit == "1" ? value : fmt::format("{} {}", value, field.unit);
 }
 
-/// What has an error comes with it.
+/// The value of a field with its unit, and with its error bar if it has one.
 std::string with_error(const Field& field, const Row& row) {
   const SimulationResult& c = row.result;
   if (field.name == "eps_eff") return fmt::format("{:.12g} +- {:.1g}", c.eps_eff, c.eps_eff_error);
@@ -90,7 +90,7 @@ int one(const OneOptions& options) {
   const Parameters parameters = sweep.at(0);
   const SweepTask task{.index = 0, .predicted_seconds = predicted_time(parameters), .parameters = parameters};
   const Row row = *compute_row(task, 0, no_limit);
-  std::vector<Field> columns;  // what a table would have, what was given, and what follows from it
+  std::vector<Field> columns;  // columns of a table, parameters that were given, and stiffness and damping
   for (const Field& field : parameter_fields()) {
     const bool column = std::ranges::any_of(sweep.columns(), [&](const Field& f) { return f.name == field.name; });
     const bool follows = row.parameters.K_over_m > 0.0 && (field.name == "K_over_m" || field.name == "D_n");
@@ -105,15 +105,14 @@ int one(const OneOptions& options) {
   return is_success(row.result.status) ? 0 : 1;
 }
 
-/// "--steps-per-tc", and with the underscores of a spec.
+/// Names of a parameter's option: "--steps-per-tc", and the same with underscores as in a spec.
 std::string option_names(std::string_view name) {
   std::string dashed(name);
   std::ranges::replace(dashed, '_', '-');
   return dashed == name ? "--" + dashed : fmt::format("--{},--{}", dashed, name);
 }
 
-/// Says why the text is not a number, as a parameter of real or of whole numbers needs it. Whether the number describes
-/// a tuple is for the spec to say.
+/// The message about a text that is not a real or whole number; empty if it is one. The spec checks the value.
 std::string number_complaint(const std::string& typed, bool real) {
   const char *begin = typed.data(), *end = begin + typed.size();
   double number;
@@ -123,7 +122,7 @@ std::string number_complaint(const std::string& typed, bool real) {
   return fmt::format("'{}' is not a {}number", typed, real ? "" : "whole ");
 }
 
-/// The option of a parameter, which takes a number or one of the names that its type has.
+/// The option of a parameter. Its value is a number, or a name of the parameter's enumeration.
 Option option_of(const Field& field) {
   const std::string unit = field.unit == "1" ? "" : fmt::format(" ({})", field.unit);
   Option option{option_names(field.name), std::string(field.meaning) + unit, ""};
@@ -152,9 +151,9 @@ void declare(OptionSet& set, OneOptions& options) {
 Command one_command() {
   return make_command(
       "one", "Compute one tuple, now",
-      "\nGive v0, N, s0 or sigma, and tc and epsilon, or K-over-m and D-n, or a material; the rest has defaults\n"
-      "(method md, law hooke, integrator exact, wall paper). Vibrated columns need alpha or A0, but neither v0 nor a\n"
-      "gap. A lattice needs rows (13 columns are the default) instead of N.\n\n"
+      "\nA column needs v0, N, s0 or sigma, and tc and epsilon, or K-over-m and D-n, or a material. Other parameters\n"
+      "have defaults (method md, law hooke, integrator exact, wall paper). A vibrated column needs alpha or A0, but\n"
+      "neither v0 nor a gap. A lattice needs rows instead of N (default: 13 columns).\n\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --s0 1e-6 --N 10 --epsilon 0.9\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --steps-per-tc 500\n"
       "  sigmasweep one --v0 1 --tc 2e-5 --sigma 0.05 --N 10 --epsilon 0.9 --integrator gear5 --tolerance 1e-4\n"

@@ -27,13 +27,13 @@ struct Plan {
 
 constexpr std::uint64_t max_rows = 1'000'000, samples = 200'000;
 
-/// Every row, or of a huge sweep rows spread evenly, each with its share of the total.
+/// The plan from the predicted times of all rows, or for a huge sweep from a sample of evenly spread rows.
 Plan plan_of(const Sweep& sweep, int ranks) {
   Plan plan;
   plan.sampled = sweep.size() > max_rows;
   const std::uint64_t count = plan.sampled ? samples : sweep.size();
-  // The k-th of `count` equal parts of the sweep; the golden ratio moves the place within the part about, so that the
-  // sample does not keep step with the axes.
+  // A row in each of `count` equal parts of the sweep. The golden ratio varies its place within the part, so that the
+  // sample is not in step with the axes.
   const double part = static_cast<double>(sweep.size()) / static_cast<double>(count);
   const auto row_of = [&](std::uint64_t k) {
     if (!plan.sampled) return k;
@@ -113,14 +113,14 @@ int plan(const PlanOptions& options) {
 
 void declare(OptionSet& set, PlanOptions& options) {
   set.add({"spec", "The sweep spec, a TOML file", "SPEC.toml"}, options.spec);
-  set.add({"--ranks", "For this many MPI ranks", "R"}, options.ranks, {1, 1 << 20});
+  set.add({"--ranks", "Number of MPI ranks", "R"}, options.ranks, {1, 1 << 20});
   set.add_flag("--json", "One JSON document; times in seconds", options.json);
 }
 
 }  // namespace
 
 Command plan_command() {
-  return make_command("plan", "Check a sweep spec and say what it would take; nothing is run",
+  return make_command("plan", "Check a sweep spec and predict its computing time; nothing is run",
                       "\n  sigmasweep plan fig2a.toml --ranks 64", declare, plan);
 }
 

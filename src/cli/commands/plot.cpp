@@ -19,18 +19,19 @@ namespace {
 
 struct PlotOptions {
   std::string table, output;
-  std::string name;  ///< of the one plot to draw; empty: all
-  std::string kind;  ///< "precision": error against run time; "stability": map of stable steps; empty: as the spec says
-  std::string x, y, x_scale, y_scale;  ///< replace the spec's, where not empty; then one plot is drawn
+  std::string name;  ///< the plot to draw; empty: all
+  std::string kind;  ///< "precision": error against run time; "stability": map of stable steps; empty: from the spec
+  std::string x, y, x_scale, y_scale;  ///< if not empty, replace the spec's for one plot
   std::vector<std::string> series;
-  bool quiet = false;  ///< print the files' names only, no fits
+  bool quiet = false;  ///< do not print fits
 };
 
 bool has_overrides(const PlotOptions& o) {
   return !o.x.empty() || !o.y.empty() || !o.x_scale.empty() || !o.y_scale.empty() || !o.series.empty();
 }
 
-/// The spec's plot with what the command line has instead. Fit and guides belong to the spec's axes.
+/// Replaces axes and series of the spec's plot by those of the command line. Fit and guides are dropped, because they
+/// belong to the spec's axes.
 void override(PlotSpec& spec, const PlotOptions& options) {
   if (!options.x.empty()) spec.x = options.x, spec.x_label.clear();
   if (!options.y.empty()) spec.y = options.y, spec.y_label.clear(), spec.y_error.clear();
@@ -92,26 +93,26 @@ int plot_table(const PlotOptions& options) {
 
 void declare(OptionSet& set, PlotOptions& options) {
   const auto add_scale = [&](const std::string& name, const std::string& axis, std::string& target) {
-    set.add({name, fmt::format("Of the {} axis", axis), "linear|log", {"linear", "log"}}, target);
+    set.add({name, fmt::format("Scale of the {} axis", axis), "linear|log", {"linear", "log"}}, target);
   };
   set.add({"table", "A table that 'run' or 'precision' wrote", "TABLE.h5"}, options.table);
   set.add({"-o,--output",
-           "The picture, of several plots the first (others: FILE-name.svg); default: the table's name, here",
+           "The picture of the first plot (further plots: FILE-name.svg); default: the table's name, in this directory",
            "FILE.svg|png|pdf"},
           options.output);
   set.add({"--name", "Only the plot of this name", "NAME"}, options.name);
   set.add({"--kind",
-           "Another plot: error bars against run times, or where fixed time steps are stable",
+           "Draw error bars against run times, or the stability of fixed time steps",
            "precision|stability",
            {"precision", "stability"}},
           options.kind);
-  set.add({"--x", "Another field for the x axis, or an expression", "FIELD"}, options.x);
-  set.add({"--y", "Another field for the y axis, or an expression", "FIELD"}, options.y);
+  set.add({"--x", "Field of the x axis, or an expression", "FIELD"}, options.x);
+  set.add({"--y", "Field of the y axis, or an expression", "FIELD"}, options.y);
   add_scale("--x-scale", "x", options.x_scale);
   add_scale("--y-scale", "y", options.y_scale);
   set.add({"--series", "Fields: one curve for each combination of their values", "FIELD,..."}, options.series,
           Several::comma_separated);
-  set.add_flag("-q,--quiet", "Print the files' names only, no fits", options.quiet);
+  set.add_flag("-q,--quiet", "Print names of files only, no fits", options.quiet);
 }
 
 }  // namespace
@@ -119,8 +120,8 @@ void declare(OptionSet& set, PlotOptions& options) {
 Command plot_command() {
   return make_command(
       "plot", "Draw a table as its spec says",
-      "\nWith --x, --y, --x-scale, --y-scale or --series one plot is drawn, without the spec's fit and guides: the\n"
-      "first, or that of --name.\n\n"
+      "\nWith --x, --y, --x-scale, --y-scale or --series only the first plot, or that of --name, is drawn, without\n"
+      "the spec's fit and guides.\n\n"
       "  sigmasweep plot fig2a.h5 -o fig2a.png\n"
       "  sigmasweep plot fig2a.h5 --x \"s0/v0\" --y \"1 - eps_eff\" --y-scale log -o loss.svg",
       declare, plot_table);

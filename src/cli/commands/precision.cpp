@@ -5,11 +5,13 @@ namespace sigmasweep {
 namespace {
 
 void declare(OptionSet& set, PrecisionOptions& options) {
-  set.add({"spec", "A sweep spec with a table [precision]", "SPEC.toml"}, options.spec);
-  set.add({"-o,--output", "The table; default: the spec's name with .h5, here", "TABLE.h5"}, options.output);
-  set.add({"--tuples", "Contact phases a scene, instead of the spec's", "COUNT"}, options.tuples, {1, 1'000'000});
-  set.add({"--repeats", "Timings, of which the smallest counts, instead of the spec's", "COUNT"}, options.repeats,
-          {1, 1000});
+  set.add({"spec", "A sweep spec with a section [precision]", "SPEC.toml"}, options.spec);
+  set.add({"-o,--output", "The table; default: the spec's name with .h5, in this directory", "TABLE.h5"},
+          options.output);
+  set.add({"--tuples", "Number of contact phases per scene, instead of the spec's", "COUNT"}, options.tuples,
+          {1, 1'000'000});
+  set.add({"--repeats", "Number of timings, the smallest of which counts, instead of the spec's", "COUNT"},
+          options.repeats, {1, 1000});
   set.add_flag("--no-plots", "No pictures", options.plots, false);
   set.add_flag("-q,--quiet", "No progress", options.quiet);
 }
@@ -19,8 +21,8 @@ void declare(OptionSet& set, PrecisionOptions& options) {
 Command precision_command() {
   return make_command(
       "precision", "Measure error against run time of every integrator",
-      "\nPrints a table and writes it to TABLE.h5, with TABLE.svg and TABLE.png beside it. Under mpirun each scene is\n"
-      "measured by one rank; let mpirun bind ranks to cores (--bind-to core).\n\n"
+      "\nPrints a table and writes it to TABLE.h5, and its plots to TABLE.svg and TABLE.png. Under mpirun one rank\n"
+      "measures each scene; let mpirun bind ranks to cores (--bind-to core).\n\n"
       "  mpirun -n 2 --bind-to core sigmasweep precision precision.toml\n"
       "  sigmasweep precision precision.toml --tuples 10 --repeats 1",
       declare, precision_study);

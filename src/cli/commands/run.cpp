@@ -26,25 +26,24 @@ std::optional<Slice> parse_slice(const std::string& typed) {
 void declare(OptionSet& set, RunOptions& options) {
   options.sections = study_sections;
   set.add({"spec", "The sweep spec, a TOML file", "SPEC.toml"}, options.spec);
-  set.add({"-o,--output", "The table; default: the spec's name with .h5, here", "TABLE.h5"}, options.output);
-  set.add_flag("--fresh", "Start again, whatever is there", options.fresh);
-  set.add_flag("--retry", "Compute the rows again that were given up: time_limit, quarantined", options.retry);
+  set.add({"-o,--output", "The table; default: the spec's name with .h5, in this directory", "TABLE.h5"},
+          options.output);
+  set.add_flag("--fresh", "Start again and replace an existing table or journal", options.fresh);
+  set.add_flag("--retry", "Compute rows again that were given up: time_limit, quarantined", options.retry);
   set.add_flag("-q,--quiet", "Neither progress nor summary", options.quiet);
   const auto take_time = [&options](const std::string& typed) {
     options.max_seconds = parse_duration(typed);
     return options.max_seconds.has_value();
   };
-  set.add({"--max-time", "Stop on purpose (exit code 75) to be through by then: seconds or [D-]HH:MM:SS", "T"},
-          take_time);
+  set.add({"--max-time", "Stop on purpose (exit code 75) within this time: seconds or [D-]HH:MM:SS", "T"}, take_time);
   set.add({.names = "--max-seconds", .meaning = "", .type_name = "T", .hidden = true}, take_time);
-  set.add({"--slice", "Only slice I (from 0) of N equal ones, to be joined by 'sigmasweep merge'", "I/N"},
+  set.add({"--slice", "Compute slice I (from 0) of N equal ones, for 'sigmasweep merge' to join", "I/N"},
           [&options](const std::string& typed) {
             const auto slice = parse_slice(typed);
             if (slice) options.slice = *slice;
             return slice.has_value();
           });
-  set.add_flag("--extend",
-               "The table there is of an earlier spec: take over the rows that are the same, then replace it",
+  set.add_flag("--extend", "Replace the table of an earlier spec, but take over rows that are the same",
                options.extend);
   set.add({"--reuse", "Take over rows that are the same from this table (may be repeated)", "OTHER.h5"}, options.reuse,
           Several::repeated);
@@ -55,8 +54,8 @@ void declare(OptionSet& set, RunOptions& options) {
 Command run_command() {
   return make_command(
       "run", "Run a sweep, or go on with it; alone or under mpirun",
-      "\nA run that was stopped or killed goes on where it was when it is started again with the same spec.\n"
-      "Rows do not depend on the number of ranks. In a Slurm job the run also stops in time for the end of the job.\n\n"
+      "\nA run that was stopped or killed goes on when it is started again with the same spec. Results do not depend\n"
+      "on the number of ranks. In a Slurm job the run stops in time before the end of the job.\n\n"
       "  mpirun -n 4 sigmasweep run fig2a.toml -o fig2a.h5",
       declare, run);
 }

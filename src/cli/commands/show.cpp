@@ -12,11 +12,11 @@ namespace {
 struct ShowOptions {
   std::string table, where;
   bool failed = false, json = false;
-  std::optional<std::uint64_t> limit;  ///< of rows shown; 0: all; not given: default_limit, with json all
+  std::optional<std::uint64_t> limit;  ///< number of rows shown; 0: all; not given: default_limit, with json all
   static constexpr std::uint64_t default_limit = 40;
 };
 
-/// A number short enough for a column; everything else in full.
+/// The text of a value, with real numbers rounded to fit a column.
 std::string cell(const Field& field, const Row& row) {
   if (field.type != FieldType::real) return text(field, row);
   if (field.name == "eps_eff") return fmt::format("{:.12g}", number(field, row));
@@ -85,7 +85,7 @@ void print_json(const StoredSweep& stored, const ShowOptions& options, const std
     if (options.failed) result["repeat"] = repeat_command(*row);
     document["results"].push_back(std::move(result));
   }
-  // A title of broken text is no reason to show nothing.
+  // Bytes of the title that are not UTF-8 are replaced.
   fmt::print("{}\n", document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
@@ -110,11 +110,11 @@ int show(const ShowOptions& options) {
 
 void declare(OptionSet& set, ShowOptions& options) {
   set.add({"table", "A table that 'run' wrote", "TABLE.h5"}, options.table);
-  set.add({"--where", "Only rows for which this holds, as in a spec", "CONDITION"}, options.where);
+  set.add({"--where", "Only rows that satisfy this condition, written as in a spec", "CONDITION"}, options.where);
   set.add_flag("--failed", "Only failed rows, each with the command that repeats it", options.failed);
   set.add(
       {"--limit",
-       fmt::format("At most this many rows, 0: all; default {}, with --json all", ShowOptions::default_limit), "ROWS"},
+       fmt::format("Largest number of rows, 0: all; default {}, with --json all", ShowOptions::default_limit), "ROWS"},
       options.limit, {0, std::int64_t{1} << 40});
   set.add_flag("--json", "One JSON document", options.json);
 }
@@ -122,7 +122,7 @@ void declare(OptionSet& set, ShowOptions& options) {
 }  // namespace
 
 Command show_command() {
-  return make_command("show", "Look at a table",
+  return make_command("show", "Print rows of a table",
                       "\n  sigmasweep show fig2a.h5 --where \"method == md && sigma > 1 && eps_eff < 0.5\" --limit 10",
                       declare, show);
 }

@@ -8,8 +8,9 @@ namespace {
 void declare(OptionSet& set, StabilityOptions& options) {
   options.run.sections = study_sections;
   set.add({"spec", "A sweep spec with integrators of fixed step and steps_per_tc", "SPEC.toml"}, options.run.spec);
-  set.add({"-o,--output", "The table; default: the spec's name with .h5, here", "TABLE.h5"}, options.run.output);
-  set.add_flag("--fresh", "Start again, whatever is there", options.run.fresh);
+  set.add({"-o,--output", "The table; default: the spec's name with .h5, in this directory", "TABLE.h5"},
+          options.run.output);
+  set.add_flag("--fresh", "Start again and replace an existing table or journal", options.run.fresh);
   set.add_flag("--no-plots", "No pictures", options.plots, false);
   set.add_flag("-q,--quiet", "Neither progress nor summary", options.run.quiet);
 }
@@ -18,9 +19,9 @@ void declare(OptionSet& set, StabilityOptions& options) {
 
 Command stability_command() {
   return make_command(
-      "stability", "Find out where the integrators of fixed step are stable",
-      "\nRuns the sweep, or goes on with it, as 'run' does, then prints what was seen beside what theory predicts,\n"
-      "and draws both to TABLE.svg and TABLE.png. Rows that came out unstable are no failures here.\n\n"
+      "stability", "Find the time steps at which integrators of fixed step are stable",
+      "\nRuns the sweep, or goes on with it, as 'run' does. Prints computed and predicted stability, and draws both\n"
+      "to TABLE.svg and TABLE.png. Unstable rows do not count as failures.\n\n"
       "  mpirun -n 2 sigmasweep stability stability.toml",
       declare, stability_study);
 }

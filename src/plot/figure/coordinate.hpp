@@ -7,16 +7,16 @@
 
 namespace sigmasweep::plot {
 
-/// What is drawn along an axis: a field or an expression over fields.
+/// The quantity along an axis: a field or an expression over fields.
 class Coordinate {
  public:
-  /// Throws UsageError if `text` is neither, or no number.
+  /// Throws UsageError if `text` is neither a field nor an expression, or if it is not a number.
   explicit Coordinate(const std::string& text);
   double operator()(const Row& row) { return formula_(row); }
   std::string axis_label() const;
-  std::string symbol() const;  ///< enhanced text
-  bool uses(std::string_view name) const;
-  bool has_unit() const;  ///< any of the fields has one
+  std::string symbol() const;              ///< enhanced text
+  bool uses(std::string_view name) const;  ///< the expression names the field
+  bool has_unit() const;                   ///< one of the fields has a unit
 
  private:
   std::string text_;
@@ -24,7 +24,7 @@ class Coordinate {
   Formula formula_;
 };
 
-/// Fields by name. Throws UsageError for one that is not there.
+/// The field with this name. Throws UsageError if there is none.
 const Field& field_named(const std::string& name);
 
 }  // namespace sigmasweep::plot

@@ -12,14 +12,14 @@
 namespace sigmasweep::plot {
 namespace {
 
-/// Hard spheres know neither v0, tc nor the gap: their results without a unit are the same for all.
+/// Whether dimensionless results of hard spheres do not depend on the field.
 bool same_for_hard_spheres(const Field& field) {
   static constexpr auto names = std::to_array<std::string_view>(
       {"method", "v0", "tc", "s0", "sigma", "d", "integrator", "steps_per_tc", "tolerance"});
   return std::find(names.begin(), names.end(), field.name) != names.end();
 }
 
-/// x without its last digits: rows that should agree do.
+/// x rounded to 12 digits, so that rounding errors do not tell rows apart.
 double rounded(double x) {
   if (x == 0.0) return 0.0;
   const double scale = std::pow(10.0, 11.0 - std::floor(std::log10(std::abs(x))));
@@ -36,7 +36,7 @@ Curves::Curves(const PlotSpec& spec, const Coordinate& x, const Coordinate& y, b
     : universal_(!y.has_unit()), with_hard_line_(with_hard_line), joined_(spec.lines) {
   for (const auto& name : spec.series) series_.push_back(&field_named(name));
   for (const auto& name : spec.mean_over) mean_over_.push_back(&field_named(name));
-  for (const char* name : {"N", "epsilon", "wall"})  // a line must not jump between these, named in the key or not
+  for (const char* name : {"N", "epsilon", "wall"})  // a line has one value of each, even if the key names none
     if (!x.uses(name) && std::ranges::find(spec.mean_over, name) == spec.mean_over.end())
       line_keys_.push_back(&field_named(name));
 }
@@ -49,7 +49,7 @@ std::size_t Curves::curve_of(const Row& row) {
   std::string label, name;
   for (const Field* field : series_) {
     if (!merged || !same_for_hard_spheres(*field)) key.push_back(number(*field, row));
-    if (field->name == "ed_rule" && (line || !hard)) continue;  // said already, or of no meaning
+    if (field->name == "ed_rule" && (line || !hard)) continue;  // the line's label has it; soft spheres have none
     if (line && (field->name == "method" || (lrv && same_for_hard_spheres(*field)))) continue;
     append(label, value_label(*field, row));
     append(name, plain(*field, row));
@@ -78,8 +78,8 @@ std::size_t Curves::add(const Row& row, const Point& point) {
   return curve;
 }
 
-/// Rows that agree in x and in mean_over differ in something else, and are not averaged with each other: the first of
-/// them belongs to one mean, the second to another.
+/// Rows that agree in x and in mean_over differ in another parameter and are not averaged with each other: the n-th of
+/// them belongs to the n-th mean.
 void Curves::add_to_mean(std::size_t curve, const Row& row, const Point& point) {
   std::vector<double> over;
   for (const Field* field : mean_over_) over.push_back(number(*field, row));

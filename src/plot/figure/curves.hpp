@@ -12,15 +12,17 @@
 
 namespace sigmasweep::plot {
 
-/// Sorts rows into curves, and averages those that differ in `mean_over` only.
+/// The curves of a plot while rows are added. Rows that differ in the fields `mean_over` only are averaged.
 class Curves {
  public:
-  /// `with_hard_line`: soft and hard spheres both occur, and the hard ones are drawn as lines.
+  /// `with_hard_line`: hard spheres are drawn as lines, because soft spheres occur, too.
   Curves(const PlotSpec& spec, const Coordinate& x, const Coordinate& y, bool with_hard_line);
-  /// The curve that the row is part of, by its place.
+  /// Adds the point of a row and returns the index of its curve.
   std::size_t add(const Row& row, const Point& point);
+  /// The finished curves; they can be taken once.
   std::vector<Curve> take();
-  /// "points are means over seed, n = 10"; empty where nothing is averaged. Enhanced text; after take().
+  /// The note that points are means, in enhanced text: "Means over seed, n = 10, ...". It is empty if nothing is
+  /// averaged. To be called after take().
   const std::string& note() const { return note_; }
 
  private:
@@ -28,7 +30,7 @@ class Curves {
   struct Mean {
     std::size_t curve;
     double x;
-    std::vector<double> values{};  ///< the y of its rows
+    std::vector<double> values{};  ///< y of each row
   };
   std::size_t curve_of(const Row& row);
   void add_to_mean(std::size_t curve, const Row& row, const Point& point);
@@ -41,8 +43,8 @@ class Curves {
   std::vector<Curve> curves_;
 
   using Place = std::pair<std::size_t, double>;                          ///< curve and rounded x
-  std::map<std::pair<Place, std::vector<double>>, std::uint64_t> seen_;  ///< rows there with these mean_over
-  std::map<std::pair<Place, std::uint64_t>, std::size_t> groups_;        ///< n-th of them: means_
+  std::map<std::pair<Place, std::vector<double>>, std::uint64_t> seen_;  ///< number of rows at a place, by mean_over
+  std::map<std::pair<Place, std::uint64_t>, std::size_t> groups_;        ///< n-th mean at a place: index in means_
   std::vector<Mean> means_;
   std::string note_;
 };

@@ -16,7 +16,7 @@
 namespace sigmasweep::plot {
 namespace {
 
-/// What is left out, for the note.
+/// Numbers of rows that are not drawn, by reason.
 struct Dropped {
   std::uint64_t failed = 0, not_positive_x = 0, not_positive_y = 0, not_finite = 0;
 };
@@ -27,9 +27,9 @@ void append(std::string& note, const std::string& part) {
 
 std::string note_of(const Dropped& dropped, const Coordinate& x, const Coordinate& y) {
   std::string note;
-  const auto add = [&note](std::uint64_t count, const std::string& what) {
+  const auto add = [&note](std::uint64_t count, const std::string& why) {
     if (count == 0) return;
-    note += fmt::format("{}{} {} {}", note.empty() ? "Not drawn: " : "; ", count, count == 1 ? "row" : "rows", what);
+    note += fmt::format("{}{} {} {}", note.empty() ? "Not drawn: " : "; ", count, count == 1 ? "row" : "rows", why);
   };
   add(dropped.failed, "that failed");
   add(dropped.not_positive_x, fmt::format("with {} ≤ 0 (logarithmic axis)", x.symbol()));
@@ -38,7 +38,7 @@ std::string note_of(const Dropped& dropped, const Coordinate& x, const Coordinat
   return note;
 }
 
-/// The rows that the plot is about.
+/// The rows that satisfy the plot's condition.
 std::vector<const Row*> chosen(std::span<const Row> rows, const std::string& where) {
   std::vector<const Row*> kept;
   RowChoice is_chosen(where);
@@ -52,7 +52,7 @@ bool occurs(const std::vector<const Row*>& rows, Method method) {
       rows, [&](const Row* row) { return row->parameters.method == method && is_success(row->result.status); });
 }
 
-/// Fits each series of symbols; the slopes go to the key. Says which could not be.
+/// Fits a line to each series of symbols and adds its slope to the key. Returns a note of the series without a fit.
 std::string fit_all(std::vector<Curve>& curves, const FitSpec& spec) {
   std::string note;
   for (Curve& curve : curves) {
@@ -69,15 +69,15 @@ std::string fit_all(std::vector<Curve>& curves, const FitSpec& spec) {
 double to_scale(const PlotAxis& axis, double value) { return axis.log ? std::log10(value) : value; }
 double from_scale(const PlotAxis& axis, double value) { return axis.log ? std::pow(10.0, value) : value; }
 
-/// The range that an axis must have, on its scale.
+/// The range of the data along an axis, as logarithms on a logarithmic axis.
 class AxisRange {
  public:
   explicit AxisRange(PlotAxis& axis) : axis_(axis) {}
-  void hold(double value) {
-    if (!axis_.log || value > 0.0) range_.take(to_scale(axis_, value));
+  void include(double value) {
+    if (!axis_.log || value > 0.0) range_.include(to_scale(axis_, value));
   }
-  /// Sets the axis to it, with a margin on both sides.
-  void set() {
+  /// Sets the ends of the axis: the range with a margin on both sides.
+  void set_axis() {
     const auto [low, high] = range_.is_empty() ? Range{0.0, 0.0} : range_;
     const double margin = high > low ? 0.04 * (high - low) : axis_.log ? 0.5 : std::max(0.5 * std::abs(low), 1e-3);
     axis_.from = from_scale(axis_, low - margin);
@@ -94,19 +94,19 @@ void set_ranges(Figure& figure, const PlotSpec& spec) {
   for (const auto& curve : figure.curves)
     for (const auto* points : {&curve.points, &curve.path})
       for (const auto& point : *points) {
-        x.hold(point.x);
-        y.hold(point.y - point.deviation);
-        y.hold(point.y + point.deviation);
+        x.include(point.x);
+        y.include(point.y - point.deviation);
+        y.include(point.y + point.deviation);
       }
   for (const GuideSpec& guide : spec.guides)
-    if (guide.y) y.hold(*guide.y);
-  x.set();
-  y.set();
+    if (guide.y) y.include(*guide.y);
+  x.set_axis();
+  y.set_axis();
 }
 
-/// Of symbols that would cover each other, in a cell of about a symbol's size, one is drawn, and the curves take turns:
-/// where they all fall on one line each of them stays visible, and the picture of a huge sweep stays small.
-void take_turns(Figure& figure) {
+/// Keeps one symbol in each cell of about a symbol's size, of the curve that has the fewest so far. Curves that fall on
+/// one line all stay visible, and the picture of a huge sweep stays small.
+void thin_out_symbols(Figure& figure) {
   constexpr double columns = 110.0, lines = 75.0;
   std::map<std::pair<long, long>, std::map<std::size_t, Point>> cells;
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
@@ -122,7 +122,7 @@ void take_turns(Figure& figure) {
   }
 }
 
-/// The field or expression for error bars; empty: none.
+/// The field or expression for error bars; empty if there are none.
 std::string error_of(const PlotSpec& spec) {
   if (!spec.y_error.empty() || !spec.mean_over.empty()) return spec.y_error;
   return spec.y == "h_cm" || spec.y == "h_cm_excess" ? "h_cm_error" : "";
@@ -151,7 +151,7 @@ Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::str
 
   const auto drawable = chosen(rows, spec.where);
   Dropped dropped;
-  // Hard spheres beside soft ones are a line, which has no bars.
+  // Hard spheres beside soft ones are drawn as a line, which cannot have error bars.
   Curves curves(spec, x, y, !error && occurs(drawable, Method::md) && occurs(drawable, Method::ed));
   Guides guides(spec);
   for (const Row* row : drawable) {
@@ -166,15 +166,15 @@ Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::str
     else if (spec.y_log && point.y <= 0.0)
       ++dropped.not_positive_y;
     else
-      guides.see(*row, curves.add(*row, point), point.x);
+      guides.add(*row, curves.add(*row, point), point.x);
   }
   figure.curves = curves.take();
   figure.note = note_of(dropped, x, y);
   append(figure.note, curves.note());
   if (spec.fit) append(figure.note, fit_all(figure.curves, *spec.fit));
   set_ranges(figure, spec);
-  figure.guides = guides.take(figure);
-  if (spec.mean_over.empty() && !error) take_turns(figure);  // bars cannot stand in for each other
+  figure.guides = guides.lines(figure);
+  if (spec.mean_over.empty() && !error) thin_out_symbols(figure);  // points with error bars are all kept
   return figure;
 }
 

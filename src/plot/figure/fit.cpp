@@ -10,7 +10,7 @@
 namespace sigmasweep::plot {
 namespace {
 
-/// Both ends included, also where x = 1 - 0.99 is not quite 0.01.
+/// Whether the fit uses the point at x. Both ends of the range belong to it, with a margin for rounding.
 bool is_within(double x, const FitSpec& spec) {
   const double slack = 1e-9 * std::abs(x);
   return x >= spec.from - slack && x <= spec.to + slack;
@@ -55,12 +55,12 @@ std::optional<Fit> fit(const std::vector<Point>& points, const FitSpec& spec) {
 }
 
 namespace {
-constexpr int max_decimals = 4;  // nobody reads more in a key
+constexpr int max_decimals = 4;
 }
 
 std::string with_error(double value, double error) {
   std::string text;
-  if (!(error > 1e-9 * std::abs(value)) || !std::isfinite(error)) {  // unknown, or nothing but rounding
+  if (!(error > 1e-9 * std::abs(value)) || !std::isfinite(error)) {  // the error is unknown, or rounding only
     text = fmt::format("{:.4g}", value);
   } else {
     double power = std::floor(std::log10(error));

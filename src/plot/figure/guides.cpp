@@ -10,13 +10,13 @@
 namespace sigmasweep::plot {
 namespace {
 
-/// The point of the curve at x, means included.
+/// The point of the curve that is nearest to x, which may be a mean.
 Point point_at(const Curve& curve, double x) {
   const auto& points = curve.line ? curve.path : curve.points;
   return *std::ranges::min_element(points, {}, [x](const Point& p) { return std::abs(p.x - x); });
 }
 
-/// Points of y(x), as many as make it look smooth, without those that cannot be drawn.
+/// Points of the smooth curve y(x), without the points that cannot be drawn.
 std::vector<Point> curve(const std::string& expression, double from, double to, const Figure& figure) {
   constexpr int pieces = 200;
   FunctionOfX y(expression);
@@ -40,7 +40,7 @@ Guides::Guides(const PlotSpec& spec) {
   }
 }
 
-void Guides::see(const Row& row, std::size_t curve, double x) {
+void Guides::add(const Row& row, std::size_t curve, double x) {
   for (Anchored& guide : guides_) {
     const bool needs_anchor = !guide.spec.y && guide.spec.curve.empty() && !guide.spec.through;
     if (!needs_anchor || (guide.last && guide.last->second >= x)) continue;
@@ -48,7 +48,7 @@ void Guides::see(const Row& row, std::size_t curve, double x) {
   }
 }
 
-std::vector<Guide> Guides::take(const Figure& figure) const {
+std::vector<Guide> Guides::lines(const Figure& figure) const {
   std::vector<Guide> lines;
   for (const Anchored& guide : guides_) {
     const GuideSpec& spec = guide.spec;

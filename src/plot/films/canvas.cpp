@@ -38,11 +38,11 @@ std::string Canvas::margins(double x, double y, double w, double h) const {
       x / width, (x + w) / width, 1.0 - y / height, 1.0 - (y + h) / height);
 }
 
-std::string Canvas::label(const std::string& text, double x, double y, std::string_view how) const {
-  return fmt::format("set label {} at screen {:.6f},{:.6f} {}\n", quoted(text), x / width, 1.0 - y / height, how);
+std::string Canvas::label(const std::string& text, double x, double y, std::string_view options) const {
+  return fmt::format("set label {} at screen {:.6f},{:.6f} {}\n", quoted(text), x / width, 1.0 - y / height, options);
 }
 
-double View::scale() const { return std::min(frame_width / (x1 - x0), tallest / (z1 - z0)); }
+double View::scale() const { return std::min(frame_width / (x1 - x0), max_height / (z1 - z0)); }
 
 View view_of(const Trajectory& t, double lowest, double highest, double beyond, double frame_width) {
   const double thick = 0.025 * t.box_width, sides = t.periodic ? beyond : thick;

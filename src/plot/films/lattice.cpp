@@ -18,14 +18,14 @@ namespace {
 
 using namespace plot;
 
-constexpr std::size_t frames_a_strip = 6;
+constexpr std::size_t frames_per_strip = 6;
 constexpr double frame_width = 150.0, frame_gap = 14.0;  // pixels of an SVG
 constexpr double above = 28.0, below = 42.0, head = 44.0, left = 16.0, right = 96.0;
 
-/// Samples before the solver gave up, if it did.
-std::size_t seen(const Trajectory& t) {
-  const auto nothing = std::ranges::find_if(t.z, [](double z) { return !std::isfinite(z); });
-  return static_cast<std::size_t>(nothing - t.z.begin()) / std::max<std::size_t>(t.beads(), 1);
+/// Number of samples before the solver gave up, or of all samples.
+std::size_t finite_samples(const Trajectory& t) {
+  const auto missing = std::ranges::find_if(t.z, [](double z) { return !std::isfinite(z); });
+  return static_cast<std::size_t>(missing - t.z.begin()) / std::max<std::size_t>(t.beads(), 1);
 }
 
 double centre_of_mass(const Trajectory& t, std::size_t sample) {
@@ -41,7 +41,7 @@ bool touches_bottom(const Trajectory& t, std::size_t sample) {
   return false;
 }
 
-std::vector<FilmFrame> frames_of_flight(const Trajectory& t, std::size_t samples) {
+std::vector<FilmFrame> frames_of_collision(const Trajectory& t, std::size_t samples) {
   std::size_t touch = 0, lowest = 0;
   while (touch + 1 < samples && !touches_bottom(t, touch)) ++touch;
   for (std::size_t s = 1; s < samples; ++s)
@@ -60,8 +60,8 @@ std::vector<FilmFrame> frames_of_period(const Panel& panel, std::size_t samples)
   const double f = panel.row.parameters.frequency;
   const double begin = std::max(std::floor(time[samples - 1] * f * (1.0 + 1e-12)) - 1.0, 0.0);
   std::vector<FilmFrame> frames;
-  for (std::size_t k = 0; k < frames_a_strip; ++k) {
-    const double phase = static_cast<double>(k) / frames_a_strip, wanted = (begin + phase) / f;
+  for (std::size_t k = 0; k < frames_per_strip; ++k) {
+    const double phase = static_cast<double>(k) / frames_per_strip, wanted = (begin + phase) / f;
     const auto nearest =
         std::ranges::min_element(std::span(time).first(samples), {}, [&](double t) { return std::abs(t - wanted); });
     frames.push_back(
@@ -84,11 +84,11 @@ View view_of_strip(const Panel& panel, std::span<const FilmFrame> frames) {
   return view_of(t, lowest, highest, 0.5 * std::ranges::max(t.diameter), frame_width);
 }
 
-/// Of all strips.
+/// The scale of colours for velocities, the same for all strips.
 struct SpeedScale {
-  bool of_v0;
-  double largest;  ///< colours go from minus this to this
-  double operator()(double speed, const Parameters& p) const { return of_v0 ? speed / p.v0 : speed; }
+  bool in_v0;      ///< velocities in units of v0 instead of m/s
+  double largest;  ///< colours go from -largest to largest
+  double operator()(double speed, const Parameters& p) const { return in_v0 ? speed / p.v0 : speed; }
 };
 
 SpeedScale speed_scale(std::span<const Panel> panels) {
@@ -102,7 +102,8 @@ SpeedScale speed_scale(std::span<const Panel> panels) {
   return {false, std::ceil(largest / digit) * digit};
 }
 
-/// Lines "x z speed", corner by corner: gnuplot's own circles have 120 corners, which makes an SVG of many MB.
+/// Adds a disc as a polygon, a line "x z speed" for each corner. Gnuplot's own circles have 120 corners, which makes an
+/// SVG of many MB.
 void put_disc(std::string& out, double x, double z, double r, double speed) {
   constexpr int corners = 24;
   for (int k = 0; k <= corners; ++k) {
@@ -113,7 +114,7 @@ void put_disc(std::string& out, double x, double z, double r, double speed) {
   out += "\n";
 }
 
-/// With the images of what sticks out.
+/// The polygons of all beads. In a periodic container a bead across one end is drawn at both ends.
 std::string discs(const Panel& panel, std::size_t sample, const SpeedScale& speed) {
   const Trajectory& t = panel.trajectory;
   std::string out;
@@ -133,9 +134,9 @@ std::string discs(const Panel& panel, std::size_t sample, const SpeedScale& spee
   return out;
 }
 
-std::string clock(const Panel& panel, double t) {
+std::string time_label(const Panel& panel, double t) {
   const Parameters& p = panel.row.parameters;
-  if (!has_plate(panel)) return fmt::format("{{/:Italic t}} = {:.3g} {{/:Italic t}}_c", t / p.tc);
+  if (!has_plate(panel)) return fmt::format("{{/:Italic t}} = {:.3g} {}", t / p.tc, symbol_of(*find_field("tc")));
   return fmt::format("{{/:Italic ωt}}/2π = {:.2f}", t * p.frequency - std::floor(t * p.frequency));
 }
 
@@ -146,8 +147,8 @@ std::string frame_script(const Panel& panel, const FilmFrame& frame, const View&
   std::string out = fmt::format("${} << end_of_discs\n{}end_of_discs\n", name, discs(panel, frame.sample, speed));
   out += frame_with_walls(panel.trajectory, view, plate, canvas, x, y);
   const double middle = x + 0.5 * frame_width, under = y + view.height();
-  out += canvas.label(clock(panel, time), middle, under + 12.0, "center") +
-         canvas.label(frame.what, middle, under + 27.0, "center font ',9' textcolor rgb '#606060'");
+  out += canvas.label(time_label(panel, time), middle, under + 12.0, "center") +
+         canvas.label(frame.caption, middle, under + 27.0, "center font ',9' textcolor rgb '#606060'");
   return out + fmt::format(
                    "plot ${0} using 1:2:3 with polygons linecolor palette fillstyle solid noborder notitle, "
                    "${0} using 1:2 with lines linecolor rgb '#303030' linewidth 0.3 notitle\n"
@@ -161,7 +162,8 @@ std::string colour_box(const SpeedScale& speed, const Canvas& canvas, double hei
       "set palette defined (-1 '#2166AC', -0.5 '#92C5DE', 0 '#F7F7F7', 0.5 '#F4A582', 1 '#B2182B')\n"
       "set cbrange [{0:.6g}:{1:.6g}]\nset cbtics {1:.6g} out scale 0.5\nset cblabel '{2}'\n"
       "set colorbox user origin screen {3:.6f},{4:.6f} size screen {5:.6f},{6:.6f}\n",
-      -speed.largest, speed.largest, speed.of_v0 ? "{/:Italic v_z}/{/:Italic v}_0" : "{/:Italic v_z} (m/s)",
+      -speed.largest, speed.largest,
+      speed.in_v0 ? fmt::format("{{/:Italic v_z}}/{}", symbol_of(*find_field("v0"))) : "{/:Italic v_z} (m/s)",
       (canvas.width - right + 16.0) / canvas.width, 1.0 - (head + above + bar) / canvas.height, 14.0 / canvas.width,
       bar / canvas.height);
 }
@@ -185,10 +187,10 @@ std::string strip_script(const Panel& panel, std::size_t number, const Strip& st
 }  // namespace
 
 std::vector<FilmFrame> film_frames(const Panel& panel) {
-  const std::size_t samples = seen(panel.trajectory);
+  const std::size_t samples = finite_samples(panel.trajectory);
   if (samples == 0) return {};
   std::vector<FilmFrame> frames =
-      has_plate(panel) ? frames_of_period(panel, samples) : frames_of_flight(panel.trajectory, samples);
+      has_plate(panel) ? frames_of_period(panel, samples) : frames_of_collision(panel.trajectory, samples);
   std::ranges::stable_sort(frames, {}, &FilmFrame::sample);
   const auto same = std::ranges::unique(frames, {}, &FilmFrame::sample);
   frames.erase(same.begin(), same.end());
@@ -200,7 +202,7 @@ void plot_lattices(std::span<const Panel> panels, std::span<const std::string> d
   require_room_for(panels.size());
   const Form form = form_of(path);
   std::vector<Strip> strips;
-  Canvas canvas{left + frames_a_strip * (frame_width + frame_gap) + right, head};
+  Canvas canvas{left + frames_per_strip * (frame_width + frame_gap) + right, head};
   for (const Panel& panel : panels) {
     std::vector<FilmFrame> frames = film_frames(panel);
     const View view = view_of_strip(panel, frames);

@@ -9,22 +9,23 @@
 
 namespace sigmasweep {
 
-/// Draws lattices, a strip of pictures each (film_frames()): all beads and walls to scale, coloured by how fast they go
-/// up or down, in v0, or in m/s if anything vibrates. Beads that stick out of a periodic container are drawn at both of
-/// its ends, which are dotted lines; single beads that fly very high may be left out. `differ`, `path` and errors as of
-/// plot_trajectories().
+/// Draws a strip of frames (see film_frames()) for each lattice. Beads and walls are to scale. The colour of a bead is
+/// its vertical velocity, in units of v0, or in m/s if a plate vibrates. The ends of a periodic container are dotted
+/// lines; a bead across them is drawn at both. Single beads that fly very high may be out of view. `differ`, `path` and
+/// errors are those of plot_trajectories().
 void plot_lattices(std::span<const Panel> panels, std::span<const std::string> differ, const std::string& title,
                    const std::string& path);
 
-/// A picture of a strip.
+/// A frame of a strip.
 struct FilmFrame {
   std::size_t sample;
-  std::string what;
+  std::string caption;
 };
 
-/// Of a flight: the start; the first contact with the bottom; when the centre of mass is lowest, and halfway there; the
-/// end, and a third of the way there. Where a plate vibrates: six phases of the last whole period. Samples that are the
-/// same are left out, so are those where there is nothing (NaN).
+/// The frames of a film, each sample once. Frames of a collision: the start; the first contact with the bottom; the
+/// lowest position of the centre of mass, and the middle between these two; the end, and a third of the way to it.
+/// Frames on a plate that vibrates: six phases of the last whole period. Samples after the solver gave up (NaN) are
+/// left out.
 std::vector<FilmFrame> film_frames(const Panel& panel);
 
 }  // namespace sigmasweep

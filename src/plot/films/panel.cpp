@@ -16,10 +16,8 @@ bool has_plate(const Panel& panel) {
 void require_room_for(std::size_t panels) {
   if (panels == 0) throw UsageError("plot: there are no trajectories to draw");
   if (panels <= max_panels) return;
-  throw UsageError(
-      fmt::format("plot: {} trajectories, but at most {} find room on a picture: choose with 'where' in "
-                  "[plot]",
-                  panels, max_panels));
+  throw UsageError(fmt::format(
+      "plot: {} trajectories, but a picture has room for {}: choose rows with 'where' in [plot]", panels, max_panels));
 }
 
 }  // namespace sigmasweep

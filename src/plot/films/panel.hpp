@@ -7,7 +7,7 @@
 
 namespace sigmasweep {
 
-/// A panel of a picture: one tuple, as the row of a table and as the trajectory of its beads.
+/// A panel of a picture: a row of a table and the trajectory of its beads.
 struct Panel {
   Row row;
   Trajectory trajectory;

@@ -23,7 +23,7 @@ using namespace plot;
 constexpr std::size_t phases = 4;
 constexpr double frame_width = 230.0, frame_gap = 20.0, above = 28.0, below = 58.0, head = 44.0, side = 16.0;
 
-/// Containers that differ in nothing, or only in what is averaged over.
+/// A strip of frames: the films that are averaged, and their field in each phase.
 struct Strip {
   std::vector<const Panel*> films;
   std::array<VelocityField, phases> fields;
@@ -73,7 +73,8 @@ std::string curl(double mean, double error) {
   return error == error ? fmt::format("{:.2g} ± {:.1g}", mean, error) : fmt::format("{:.3g}", mean);
 }
 
-/// Lines "x z dx dz", the middle of an arrow in the middle of its cell; the fastest is one and a half cells long.
+/// The arrows as lines "x z dx dz". The middle of an arrow is the middle of its cell; the arrow of `fastest`, m/s, is
+/// one and a half cells long.
 std::string arrows(const VelocityField& field, double fastest) {
   const double scale = fastest > 0.0 ? 1.5 * std::min(field.width, field.height) / fastest : 0.0;
   std::string out;
@@ -126,7 +127,7 @@ void plot_velocity_fields(std::span<const Panel> panels, std::span<const std::st
                           std::span<const std::string> mean_over, const std::string& title, const std::string& path) {
   for (const Panel& panel : panels)
     if (!has_plate(panel) || !panel.trajectory.is_plane())
-      throw UsageError("plot: fields of velocity by phase are of vibrated lattices only");
+      throw UsageError("plot: only vibrated lattices have velocity fields by phase");
   const Form form = form_of(path);
   std::vector<std::string> differ;
   std::ranges::copy_if(axes, std::back_inserter(differ),

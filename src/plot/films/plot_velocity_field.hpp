@@ -7,13 +7,11 @@
 
 namespace sigmasweep {
 
-/// Draws how the beads of vibrated lattices circulate: for each lattice and each quarter of the plate's period the mean
-/// velocities in cells of about one diameter, over all periods but the first third (or the transient, if that is less),
-/// in the frame of the plate and vertically relative to the mean at that height. Written below: what the longest arrow
-/// is, and the mean curl in the left and in the right half, 1/s: a pair of convection rolls that goes up in the middle
-/// has left > 0 > right. Lattices that differ only in parameters to average over (as the seed) are one: their beads
-/// make one field, and the curl is the mean of theirs with its standard error. `axes`: the parameters that tell rows
-/// apart; `path` and errors as of plot_trajectories(); UsageError for what does not vibrate.
+/// Draws the velocity field of vibrated lattices, a frame for each quarter of the plate's period (see VelocityField).
+/// Below each frame stand the velocity of the longest arrow, m/s, and the mean curl in the left and in the right half,
+/// 1/s (see Rolls). Lattices that differ only in the parameters `mean_over`, such as the seed, share one field; their
+/// curl is the mean of the single ones with its standard error. `axes` are the parameters that tell rows apart. `path`
+/// and errors are those of plot_trajectories(); a panel without a plate is a UsageError.
 void plot_velocity_fields(std::span<const Panel> panels, std::span<const std::string> axes,
                           std::span<const std::string> mean_over, const std::string& title, const std::string& path);
 

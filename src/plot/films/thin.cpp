@@ -6,7 +6,7 @@
 namespace sigmasweep::plot {
 namespace {
 
-/// The point between first and last that is farthest from the line through these two, and how far.
+/// The point between first and last that is farthest from the line through these two, with its distance.
 std::pair<std::size_t, double> farthest(std::span<const Point> p, std::size_t first, std::size_t last, double width,
                                         double height) {
   const double dx = (p[last].x - p[first].x) / width, dy = (p[last].y - p[first].y) / height;

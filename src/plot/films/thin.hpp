@@ -7,9 +7,8 @@
 
 namespace sigmasweep::plot {
 
-/// The points of a line that are needed to draw it: leaves out what is nowhere further than `tolerance`, a fraction of
-/// width and height, from the line through the others (Ramer 1972, Douglas & Peucker 1973). Points that are not finite
-/// are left out too.
+/// The points that are needed to draw a line (Ramer 1972, Douglas & Peucker 1973). Points that are within `tolerance`,
+/// a fraction of width and height, of the line through the others are left out, and so are points that are not finite.
 std::vector<Point> thinned(std::span<const Point> points, double width, double height, double tolerance);
 
 }  // namespace sigmasweep::plot

@@ -42,7 +42,7 @@ double largest(std::span<const double> values) {
   return most;
 }
 
-/// From dark (the lowest bead) to light, evenly for the eye (stops of the viridis map of matplotlib).
+/// The colour of a bead, from dark (the lowest) to light in steps of equal contrast: stops of matplotlib's viridis map.
 std::string colour(std::size_t bead, std::size_t beads) {
   static constexpr std::array<std::array<double, 3>, 5> stops{
       {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {220, 200, 30}}};
@@ -54,7 +54,7 @@ std::string colour(std::size_t bead, std::size_t beads) {
   return fmt::format("#{:02X}{:02X}{:02X}", rgb[0], rgb[1], rgb[2]);
 }
 
-/// 1, 2 or 5 times a power of ten: three to eight marks on an axis of this length.
+/// Distance of the tics on an axis of this length: 1, 2 or 5 times a power of ten, for three to eight tics.
 double step_of(double length) {
   const double most = length / 3.2, power = std::pow(10.0, std::floor(std::log10(most)));
   return power * (5.0 * power <= most ? 5.0 : 2.0 * power <= most ? 2.0 : 1.0);
@@ -68,7 +68,7 @@ std::string bead_label(const Trajectory& t, std::size_t bead, Prefix height) {
                      colour(bead, t.beads()));
 }
 
-/// What is drawn to the right: time, or of vibrated columns the number of periods, or its fraction.
+/// The horizontal axis: time, or for vibrated columns periods or the phase.
 struct TimeAxis {
   std::string label;
   double unit;  ///< s
@@ -88,7 +88,7 @@ TimeAxis time_axis(const Panel& panel, bool by_phase) {
   return {"{/:Italic t} (periods)", 1.0 / p.frequency, false, longest * p.frequency};
 }
 
-/// A line in data lines of gnuplot's, with a gap where it begins again at the left.
+/// The points of a line as gnuplot's data, with a gap where the line begins again at the left.
 std::string line_data(std::span<const Point> points, double width, double range) {
   std::string out;
   for (std::size_t from = 0, to = 0; from < points.size(); from = to) {

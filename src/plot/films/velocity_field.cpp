@@ -12,9 +12,9 @@
 namespace sigmasweep {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a period: samples at its beginning belong there
+constexpr double rounding = 1e-9;  // periods; a sample at the beginning of a period belongs to it
 
-/// In periods.
+/// The time at which averages begin, in periods.
 double first_time(const Panel& panel) {
   const double periods = panel.trajectory.time.back() * panel.row.parameters.frequency;
   return std::min(std::floor(periods / 3.0 + rounding), static_cast<double>(panel.row.parameters.transient));
@@ -31,7 +31,7 @@ std::vector<std::size_t> samples_of(const Panel& panel, std::size_t phase, std::
   return chosen;
 }
 
-/// Cells up to the highest bead, or to four times what the closed lattice has in rows.
+/// A field without beads. Its cells reach up to the highest bead, but at most to four times the rows of the lattice.
 VelocityField empty_field(Films films) {
   const Panel& first = *films.front();
   const Trajectory& t = first.trajectory;
@@ -54,7 +54,7 @@ VelocityField empty_field(Films films) {
   return field;
 }
 
-/// The mean of independent values and its standard error; NaN where there are not enough of them.
+/// The mean of independent values and its standard error; NaN where there are too few values.
 std::pair<double, double> mean_and_error(const std::vector<double>& values) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   if (values.empty()) return {unknown, unknown};
@@ -79,7 +79,7 @@ VelocityField velocity_field(Films films, std::size_t phase, std::size_t phases)
         const double x = t.x[k] - t.box_width * std::floor(t.x[k] / t.box_width);
         const double z = t.z[k] - plate_height(film->row.parameters, t.time[s]);
         const double row = std::floor(z / field.height);
-        if (!(row >= 0.0 && row < static_cast<double>(field.rows))) continue;  // nor where the solver gave up
+        if (!(row >= 0.0 && row < static_cast<double>(field.rows))) continue;  // NaN after the solver gave up, too
         const Vec2<double> v{t.x_velocity[k], t.velocity[k]};
         const auto column = std::min(static_cast<std::size_t>(x / field.width), field.columns - 1);
         const std::size_t cell = static_cast<std::size_t>(row) * field.columns + column;
@@ -115,7 +115,7 @@ Rolls rolls_of(const VelocityField& field) {
       if (twice < field.columns || both) sums[0] += curl, corners[0] += 1.0;
       if (twice > field.columns || both) sums[1] += curl, corners[1] += 1.0;
     }
-  return {sums[0] / corners[0], sums[1] / corners[1]};  // 0/0 where there are none
+  return {sums[0] / corners[0], sums[1] / corners[1]};  // NaN without corners
 }
 
 MeanRolls mean_rolls(Films films, std::size_t phase, std::size_t phases) {

@@ -31,7 +31,7 @@ Stream temporary_file() {
 /// Runs gnuplot with these files as its standard streams. Returns its exit status, -1 after a signal.
 int run(const StandardStreams& streams) {
   try {
-    return Process({"gnuplot", "-d"}, streams).wait();  // -d: no .gnuplot of the user's
+    return Process({"gnuplot", "-d"}, streams).wait();  // -d: ignores the user's .gnuplot
   } catch (const std::system_error& error) {
     if (error.code() == std::errc::no_such_file_or_directory)
       throw OutputError("gnuplot is not installed (Debian: gnuplot-nox)");
@@ -41,8 +41,8 @@ int run(const StandardStreams& streams) {
 
 bool is_empty(const AtomicFile& file) { return ::lseek(file.fd(), 0, SEEK_END) == 0; }
 
-/// Its complaint in one line.
-std::string complaint(std::FILE* err) {
+/// The error message of gnuplot in one line.
+std::string error_message(std::FILE* err) {
   std::rewind(err);
   std::string text;
   std::array<char, 300> line{};
@@ -95,7 +95,7 @@ void run_gnuplot(const std::string& script, const std::string& path) {
   AtomicFile picture(path, fmt::format(".part{}", ::getpid()));  // several processes may draw the same picture
   const int status = run({.in = ::fileno(in.get()), .out = picture.fd(), .err = ::fileno(err.get())});
   if (status != 0 || is_empty(picture))
-    throw OutputError(fmt::format("gnuplot could not draw {} (status {}): {}", path, status, complaint(err.get())));
+    throw OutputError(fmt::format("gnuplot could not draw {} (status {}): {}", path, status, error_message(err.get())));
   picture.publish();
 }
 

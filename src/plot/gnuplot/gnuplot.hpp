@@ -3,23 +3,23 @@
 #include <string>
 #include <string_view>
 
-/// Gnuplot as a process, and the beginnings of its commands.
+/// Gnuplot as a process, and parts of its commands.
 namespace sigmasweep::plot {
 
 /// The file format of a picture.
 enum class Form { svg, png, pdf };
 
-/// The form that the ending of `path` asks for. Throws UsageError.
+/// The file format that belongs to the ending of `path`. Throws UsageError for another ending.
 Form form_of(const std::string& path);
 
-/// Runs gnuplot, without a shell, on `script`; its standard output becomes `path`, complete or not at all.
-/// Throws OutputError.
+/// Runs gnuplot on `script`, without a shell. Its standard output becomes the file `path`, which is complete or not
+/// there. Throws OutputError.
 void run_gnuplot(const std::string& script, const std::string& path);
 
-/// The terminal of a picture of several panels, its size in pixels of an SVG.
+/// Options of gnuplot's terminal for a picture of several panels; width and height in pixels of an SVG.
 std::string panels_terminal(Form form, double width, double height);
 
-/// Text as a string of gnuplot's language.
+/// The text as a quoted string of gnuplot.
 std::string quoted(std::string_view text);
 
 }  // namespace sigmasweep::plot

@@ -17,11 +17,11 @@ namespace {
 
 constexpr auto curve_dashes = std::to_array<std::string_view>({"(12,7)", "(3,4)", "(14,4,3,4)", "(6,4)"});
 constexpr auto guide_dashes = std::to_array<std::string_view>({"(8,6)", "(2,4)", "(10,4,2,4)"});
-constexpr std::size_t longest_key = 24;
+constexpr std::size_t longest_key = 24;  // entries
 
 struct Terminal {
   std::string_view options;
-  double font_size;  ///< of labels; the key and the note are smaller
+  double font_size;  ///< of labels; key and note are smaller
 };
 
 Terminal terminal(Form form) {
@@ -35,7 +35,7 @@ Terminal terminal(Form form) {
 
 std::string font(Form form, double scale) { return fmt::format("font ',{:.3g}'", scale * terminal(form).font_size); }
 
-/// How many characters of enhanced text are seen.
+/// Number of characters of enhanced text that are visible.
 std::size_t visible_length(std::string_view text) {
   constexpr std::string_view italic = "{/:Italic ";
   std::size_t length = 0;
@@ -48,7 +48,7 @@ std::size_t visible_length(std::string_view text) {
   return length;
 }
 
-/// The user's title, smaller when it is long, and cut when it is a whole story.
+/// The command for the user's title. A long title is set smaller, a very long one is cut.
 std::string title_command(std::string title, Form form) {
   constexpr std::size_t one_line = 62, longest = 110;
   std::size_t length = 0;
@@ -58,7 +58,7 @@ std::string title_command(std::string title, Form form) {
   return fmt::format("set title {} noenhanced {}\n", quoted(title), font(form, scale));
 }
 
-/// Points on everything that is drawn.
+/// Points of all curves, fits and guides.
 std::vector<Point> all_points(const Figure& figure) {
   std::vector<Point> points;
   const auto add_line = [&](double from, double to, const auto& y) {
@@ -77,7 +77,7 @@ std::vector<Point> all_points(const Figure& figure) {
       points.insert(points.end(), guide.path.begin(), guide.path.end());
       continue;
     }
-    const auto [from, to] = std::pair(guide.path[0], guide.path[1]);  // straight on the picture
+    const auto [from, to] = std::pair(guide.path[0], guide.path[1]);  // a straight line on the picture
     const double x0 = fraction(figure.x, from.x), x1 = fraction(figure.x, to.x);
     const double y0 = fraction(figure.y, from.y), y1 = fraction(figure.y, to.y);
     add_line(x0, x1,
@@ -86,12 +86,12 @@ std::vector<Point> all_points(const Figure& figure) {
   return points;
 }
 
-/// Where the key hides nothing: an empty corner, the middle of an empty side, or outside.
+/// The command that puts the key where it covers no data: in a corner, in the middle of a side, or outside.
 std::string key_place(const Figure& figure, std::size_t entries, std::size_t letters) {
   struct Place {
     const char* name;
     bool right;
-    double bottom;  ///< of the room that is left above and below, the part that is below
+    double bottom;  ///< space below the key, as a fraction of the space above and below it
   };
   const std::vector<Point> drawn = all_points(figure);
   const double width = 0.09 + 0.0108 * static_cast<double>(letters);
@@ -111,7 +111,7 @@ std::string key_place(const Figure& figure, std::size_t entries, std::size_t let
   return "set key outside right top reverse Left samplen 1.5 spacing 1.2";
 }
 
-/// Labelled places on a logarithmic axis of less than two decades, where powers of ten alone would be one or none.
+/// Tics of a logarithmic axis of less than two decades, which would have few labels at powers of ten alone.
 std::string short_log_tics(const PlotAxis& axis) {
   std::vector<double> places;
   const auto add = [&](double place) {
@@ -120,7 +120,7 @@ std::string short_log_tics(const PlotAxis& axis) {
   const double first = std::floor(std::log10(axis.from));
   for (double power = first; power <= std::log10(axis.to); ++power)
     for (const double mantissa : {1.0, 2.0, 5.0}) add(mantissa * std::pow(10.0, power));
-  if (places.size() < 3) {  // much less than a decade: as on a linear axis
+  if (places.size() < 3) {  // much less than a decade: evenly spaced, as on a linear axis
     places.clear();
     const double rough = (axis.to - axis.from) / 5.0, unit = std::pow(10.0, std::floor(std::log10(rough)));
     const double step = unit * (rough < 2.0 * unit ? 2.0 : rough < 5.0 * unit ? 5.0 : 10.0);
@@ -153,7 +153,7 @@ std::string data_block(std::string_view name, std::size_t number, const std::vec
   return out + "end_of_data\n";
 }
 
-/// A fitted line, as points: what is straight depends on the axes.
+/// A fitted line as points, because a power is not straight on linear axes, nor a line on logarithmic ones.
 std::vector<Point> sampled(const Fit& fit, const Figure& figure) {
   constexpr int pieces = 100;
   const double from = fraction(figure.x, fit.from), to = fraction(figure.x, fit.to);
@@ -165,7 +165,7 @@ std::vector<Point> sampled(const Fit& fit, const Figure& figure) {
   return points;
 }
 
-/// The data and the plot command: lines below, symbols above them, hard spheres and guides on top.
+/// The data blocks and the plot command. Joining lines are drawn first, then symbols, then hard spheres and guides.
 class Drawing {
  public:
   explicit Drawing(const Figure& figure) {

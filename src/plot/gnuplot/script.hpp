@@ -7,8 +7,7 @@
 
 namespace sigmasweep::plot {
 
-/// The commands with which gnuplot draws a figure. Text from users goes in single quotes, where it is never more than
-/// text.
+/// The gnuplot script that draws a figure. Text from users stands in single quotes, so that gnuplot never runs it.
 std::string gnuplot_script(const Figure& figure, Form form);
 
 }  // namespace sigmasweep::plot

@@ -44,12 +44,12 @@ Series& series_named(Panel& panel, const std::string& label) {
   return found != panel.series.end() ? *found : panel.series.emplace_back(Series{label, {}});
 }
 
-/// Of numbers that a logarithmic axis can show.
+/// The range of the numbers that a logarithmic axis can show.
 struct Decades : Range {
-  void take(double value) {
-    if (value > 0.0 && std::isfinite(value)) Range::take(value);
+  void include(double value) {
+    if (value > 0.0 && std::isfinite(value)) Range::include(value);
   }
-  /// Whole decades with some room.
+  /// Widens the range to whole decades, with a margin.
   void round() {
     if (is_empty()) low = high = 1.0;
     low = std::pow(10.0, std::floor(std::log10(low) - 0.1));
@@ -62,12 +62,12 @@ class Picture {
  public:
   Picture(std::span<const Panel> panels, std::string quantity) : quantity_(std::move(quantity)) {
     for (const Panel& panel : panels) {
-      errors_.take(std::max(panel.noise, 1e-19));
+      errors_.include(std::max(panel.noise, 1e-19));
       for (const Series& series : panel.series)
         for (const Mark& mark : series.marks) {
-          times_.take(mark.time);
-          if (std::isfinite(mark.error)) errors_.take(std::max(mark.error, least_error));
-          if (std::isfinite(mark.error)) errors_.take(std::max(mark.largest, least_error));
+          times_.include(mark.time);
+          if (std::isfinite(mark.error)) errors_.include(std::max(mark.error, least_error));
+          if (std::isfinite(mark.error)) errors_.include(std::max(mark.largest, least_error));
         }
     }
     errors_.round();

@@ -74,8 +74,8 @@ std::string axes_script(std::span<const StabilityMap> maps, bool y_log) {
   Range steps, values;
   for (const StabilityMap& map : maps)
     for (const StabilityCell& cell : map.cells) {
-      steps.take(1.0 / cell.steps);
-      values.take(cell.y);
+      steps.include(1.0 / cell.steps);
+      values.include(cell.y);
     }
   const double room = 0.06 * std::max(values.high - values.low, 1e-3 * values.high);
   const double low = y_log ? values.low / 1.2 : values.low - room;

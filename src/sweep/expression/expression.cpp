@@ -25,7 +25,7 @@ Expression<Owner>::Expression(const std::string& text, std::span<const FieldOf<O
     : fields_(fields.begin(), fields.end()) {
   if (text.size() > max_length)
     throw UsageError(fmt::format("an expression may have at most {} characters, this has {}", max_length, text.size()));
-  parser_.EnableOptimizer(false);  // byte code that follows the expression, for the types
+  parser_.EnableOptimizer(false);  // the check of types needs byte code that follows the expression
   parser_.DefineInfixOprt("!", expression_types::logical_not);
   for (const FieldOf<Owner>& field : fields_) define(field.name, {&field, field.type, 0.0});
   define_enumerators();
@@ -59,14 +59,15 @@ void Expression<Owner>::define(std::string_view name, const Variable& variable) 
   if (!name.starts_with("__")) names_.push_back(name);
 }
 
-/// The variable that stands for an enumerator; no name that users write.
+/// The name of the variable for an enumerator, which users do not write.
 template <class Owner>
 std::string Expression<Owner>::stand_in(const FieldType& enumeration, std::size_t number) const {
   const auto place = std::ranges::find(enumerations_, enumeration) - enumerations_.begin();
   return fmt::format("__{}_{}", place, number);
 }
 
-/// Each under its stand-in; those whose name is a word that nothing else is called, also under that.
+/// Defines a variable for each enumerator, under its stand-in. If its name is a word that is not defined yet, the
+/// enumerator is also defined under its name.
 template <class Owner>
 void Expression<Owner>::define_enumerators() {
   for (const FieldOf<Owner>& field : fields_)
@@ -83,8 +84,8 @@ void Expression<Owner>::define_enumerators() {
   }
 }
 
-/// The text with `field == enumerator` made unambiguous: names may be those of fields too (ed_rule == tc), of several
-/// enumerations (none), or no words (hertz-kuwabara-kono).
+/// The text with the stand-in of each enumerator that is compared with a field. The name alone may be a field's, too
+/// (ed_rule == tc), belong to several enumerations (none), or not be a word (hertz-kuwabara-kono).
 template <class Owner>
 std::string Expression<Owner>::resolved(const std::string& text) const {
   std::string out;
@@ -125,7 +126,7 @@ std::string Expression<Owner>::resolved(const std::string& text) const {
   return out;
 }
 
-/// Notes that the variable kept at `value` is used; its type.
+/// Marks the variable whose value is at `value` as used and returns its type.
 template <class Owner>
 FieldType Expression<Owner>::use(const double* value) {
   const auto place = std::find_if(variables_.begin(), variables_.end(),

@@ -14,21 +14,20 @@
 
 namespace sigmasweep {
 
-/// An expression over the fields of an Owner, such as a row, and the names of enumerators; Where and Formula are made
-/// from it.
+/// An expression over the fields of an Owner, such as a row, and the names of enumerators. Where and Formula use it.
 template <class Owner>
 class Expression {
  public:
   static constexpr std::size_t max_length = 1024;
 
-  /// Throws UsageError saying what is wrong with the expression and, for an unknown name, the nearest known one.
+  /// Throws UsageError with the mistake in the expression and, for an unknown name, the nearest known one.
   Expression(const std::string& text, std::span<const FieldOf<Owner>> fields, expression_types::Wanted wanted);
   Expression(const Expression&) = delete;
   Expression& operator=(const Expression&) = delete;
 
-  /// Not for use by several threads at once.
+  /// Must not be called by several threads at once.
   double operator()(const Owner& owner);
-  /// The fields that it needs, in the order of their first use.
+  /// The fields in the expression, in the order of their first use.
   std::vector<FieldOf<Owner>> used() const;
 
  private:
@@ -45,10 +44,10 @@ class Expression {
   std::string explain(const mu::ParserError& error) const;
 
   std::vector<FieldOf<Owner>> fields_;
-  std::vector<FieldType> enumerations_;  ///< of the fields, each once
+  std::vector<FieldType> enumerations_;  ///< types of the fields that are enumerations, each once
   mu::Parser parser_;
   std::deque<Variable> variables_;  ///< the parser and its byte code keep pointers to the values
-  std::vector<Variable*> used_;     ///< fields that the expression needs
+  std::vector<Variable*> used_;     ///< variables of the fields in the expression
   std::vector<std::string_view> names_;
 };
 

@@ -20,7 +20,7 @@ std::vector<Field> Formula::used() const { return impl_->expression.used(); }
 
 namespace {
 
-/// The variable of a function: a number as a field of itself.
+/// The variable of a function: a number is its own field.
 constexpr FieldOf<double> variable{.name = "x", .type = FieldType::real, .offset = 0, .unit = "1"};
 
 }  // namespace

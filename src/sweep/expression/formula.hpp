@@ -13,8 +13,8 @@ namespace sigmasweep {
 template <class Owner>
 class Expression;
 
-/// A number made from the fields of a row, such as `(1 - eps_eff)/(1 - epsilon)`: the operators and functions of
-/// Where, but a number as a whole.
+/// A number that is computed from the fields of a row, such as `(1 - eps_eff)/(1 - epsilon)`, with the operators and
+/// functions of Where.
 class Formula {
  public:
   /// Throws UsageError as Where does.
@@ -23,9 +23,9 @@ class Formula {
   Formula(Formula&&) noexcept;
   Formula& operator=(Formula&&) noexcept;
 
-  /// Not for use by several threads at once.
+  /// Must not be called by several threads at once.
   double operator()(const Row& row);
-  /// The fields that it needs, in the order of their first use.
+  /// The fields in the formula, in the order of their first use.
   std::vector<Field> used() const;
 
  private:
@@ -33,7 +33,7 @@ class Formula {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A function of x, such as "0.5*x^2 + sin(x)", written as expressions are.
+/// A function of x, such as "0.5*x^2 + sin(x)", with the operators and functions of Where.
 class FunctionOfX {
  public:
   /// Throws UsageError as Formula does.

@@ -14,7 +14,7 @@ enum class Kind { number, truth, enumeration };
 
 struct Type {
   Kind kind = Kind::number;
-  FieldType enumeration{};  ///< which enumeration it is, if it is one
+  FieldType enumeration{};  ///< of kind enumeration: its type
   bool operator==(const Type&) const = default;
 };
 
@@ -43,7 +43,7 @@ class Checker {
       case mu::cmPOW: return calculate(2);
       case mu::cmFUNC: return call(token);
       case mu::cmIF: return require_truth("?");
-      case mu::cmELSE: return;  // both values stay, for the end
+      case mu::cmELSE: return;  // both values stay until cmENDIF
       case mu::cmENDIF: return choose();
       case mu::cmASSIGN: throw UsageError("'=' assigns; to compare write '=='");
       case mu::cmEND: return;

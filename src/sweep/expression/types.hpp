@@ -6,16 +6,16 @@
 
 #include "sigmasweep/model/fields.hpp"
 
-/// muParser knows only numbers. The types of an expression are checked on its byte code, which is the expression in
+/// Types of expressions. muParser has numbers only, so types are checked on its byte code, which is the expression in
 /// reverse Polish notation.
 namespace sigmasweep::expression_types {
 
 double logical_not(double value);
 
-/// What an expression must be as a whole.
+/// The type that an expression must have as a whole.
 enum class Wanted { truth, number };
 
-/// Throws UsageError unless the expression is what is wanted, with each operator on operands that suit it.
+/// Throws UsageError unless the expression has the wanted type, and each operator has operands of its types.
 void require(Wanted wanted, const mu::ParserByteCode& code,
              const std::function<FieldType(const double*)>& type_of_variable);
 

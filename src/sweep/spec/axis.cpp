@@ -20,11 +20,11 @@ constexpr std::array<std::string_view, 4> samples{"uniform", "log-uniform", "sob
 
 constexpr std::uint64_t max_values = std::uint64_t{1} << 40;
 constexpr std::uint64_t max_stored_values = std::uint64_t{1} << 20;
-constexpr double largest_whole = 0x1p53;  // doubles hold all whole numbers up to here
+constexpr double largest_whole = 0x1p53;  // doubles represent all whole numbers up to this one
 
 bool is_whole(const ParameterField& field) { return field.type == FieldType::integer; }
 
-/// Refuses a value that is out of range for its parameter alone, whatever the others are.
+/// Refuses a value that its parameter never has, with any values of other parameters.
 void require_allowed(const Entry& entry, const ParameterField& field, double value) {
   if (is_whole(field) && !(std::floor(value) == value && std::abs(value) <= largest_whole))
     refuse_value(entry, "must be a whole number");
@@ -90,7 +90,7 @@ Form read_form(const Entry& entry, const ParameterField& field) {
   if (const Entry* sample = find(keys, "sample")) form.sample = as_one_of(*sample, samples);
   if (const Entry* scale = find(keys, "scale")) {
     form.scale = as_one_of(*scale, scales);
-    if (form.sample && *form.sample < 2) refuse(*scale, "is said by the sample already: 'uniform' or 'log-uniform'");
+    if (form.sample && *form.sample < 2) refuse(*scale, "is given by the sample: 'uniform' or 'log-uniform'");
   }
   if (const Entry* seed = find(keys, "seed")) {
     if (!form.sample) refuse(*seed, "only a sample has a seed");

@@ -8,17 +8,17 @@
 
 namespace sigmasweep::spec {
 
-/// One parameter of [sweep] as given.
+/// A parameter in [sweep].
 struct Setting {
   Entry entry;
   const ParameterField* field;
-  Axis axis;             ///< one value if it is no axis
-  bool is_axis = false;  ///< a list, a range or a sample, however short
+  Axis axis;             ///< has one value if the parameter is not an axis
+  bool is_axis = false;  ///< a list, a range or a sample of any length
   bool is_sobol = false;
 };
 
-/// Reads a parameter in any of its forms: value, list, range or sample. `sobol_dimension` is used if it is a Sobol
-/// sample. Throws SpecError if it or any of its values is not allowed.
+/// Reads a parameter: a value, list, range or sample. `sobol_dimension` is the dimension of a Sobol sample. Throws
+/// SpecError if a key or a value is not allowed.
 Setting read_setting(const Entry& entry, const ParameterField& field, std::size_t sobol_dimension);
 
 }  // namespace sigmasweep::spec

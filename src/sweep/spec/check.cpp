@@ -11,7 +11,7 @@
 namespace sigmasweep::spec {
 namespace {
 
-/// What is given together.
+/// Parameters that are given together.
 using Way = std::array<std::string_view, 2>;
 constexpr Way by_contact{"tc", "epsilon"}, by_spring{"K_over_m", "D_n"}, by_material{"material", ""};
 
@@ -32,10 +32,10 @@ const Setting* first_of(const Way& way, const std::vector<Setting>& settings) {
                             name, vibrated ? "" : "v0, ", size, vibrated ? "alpha and A0" : "s0 and sigma"));
 }
 
-/// Hard spheres have no contact time: the default only gives sigma its unit.
+/// Whether tc must be given. Collisions of hard spheres take no time; the default tc only gives sigma its unit.
 bool needs_tc(const Parameters& tuple) { return tuple.method == Method::md || tuple.ed_rule == EdRule::tc; }
 
-/// Of two parameters that say the same at most one is given, and one where `needed`.
+/// Requires at most one of two parameters that determine each other, and exactly one if `needed`.
 void require_one_of(const Entry& sweep, const std::vector<Setting>& settings, const Way& names, bool needed,
                     std::string_view relation) {
   const Setting *one = find(settings, names[0]), *other = find(settings, names[1]);
@@ -72,11 +72,11 @@ void require_one_way(const std::vector<Setting>& settings) {
   if (const Setting* K_over_m = find(settings, "K_over_m"); K_over_m && !(K_over_m->axis.bounds().first > 0.0))
     refuse(K_over_m->entry, "must be > 0");
   if (const Setting* steps = find(settings, "steps_per_tc"); steps && !(steps->axis.bounds().first > 0.0))
-    refuse(steps->entry, "must be from 2 to 1e6; to have it chosen leave it out and give a tolerance");
+    refuse(steps->entry, "must be from 2 to 1e6; without it the step is chosen for a tolerance");
   const Setting* material = find(settings, "material");
   if (!material) return;
   if (material->axis.bounds().first == static_cast<double>(Material::none))
-    refuse(material->entry, "'none' is what holds without a material: leave it out");
+    refuse(material->entry, "'none' is the default: leave the material out");
   if (const Setting* d = find(settings, "d")) refuse(d->entry, "'d' and 'material' conflict: d is the material's");
 }
 
@@ -121,8 +121,8 @@ void require_used(const std::vector<Setting>& settings, const std::vector<Parame
     const Setting* steps = find(settings, "steps_per_tc");
     if (setting.field->name == "tolerance" && steps && used(*steps))
       refuse(setting.entry,
-             "'steps_per_tc' and 'tolerance' conflict: give the time step, or the error for which it is "
-             "to be chosen");
+             "'steps_per_tc' and 'tolerance' conflict: give the time step, or the error for which it "
+             "is chosen");
     refuse(setting.entry, fmt::format("no tuple uses it: it needs {}", requirement_of(*setting.field)));
   }
 }

@@ -23,7 +23,7 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
   }
 }
 
-/// A plot needs of the sweep and its other tables what it shows.
+/// Refuses a plot whose data the sweep does not have.
 void require_plottable(const Entry& entry, const PlotSpec& plot, const Document& document) {
   const auto& tuples = document.grid->representatives;
   const bool films = plot.kind == PlotKind::trajectories;

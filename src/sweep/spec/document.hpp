@@ -9,8 +9,8 @@
 
 namespace sigmasweep::spec {
 
-/// A spec as it was read: its tables as values or, where reading them needs the sweep, as they stand in the text.
-/// Entries refer to `toml` and `file`: a document stays where it is.
+/// A spec after reading. Tables that cannot be read without the sweep are kept as entries. Entries refer to `toml` and
+/// `file`, so that a document cannot be copied or moved.
 struct Document {
   Document(std::string_view text, std::string file);
   Document(const Document&) = delete;
@@ -20,13 +20,13 @@ struct Document {
   toml::table toml;
   std::string title;
   RunSpec run;
-  std::optional<Grid> grid;  ///< always there once the document is read
+  std::optional<Grid> grid;  ///< has a value after read_tables()
   std::optional<Entry> trajectory;
   std::vector<PlotSpec> plots;
-  std::vector<Entry> sections;  ///< tables that are not the sweep's own
+  std::vector<Entry> sections;  ///< tables that belong to studies
 };
 
-/// Reads the sweep's own tables. A table of another name must be one of `sections`, unless `any_section`.
+/// Reads the sweep's own tables. Another table must have the name of one of `sections`, unless `any_section`.
 void read_tables(Document& document, std::span<const SpecSection> sections, bool any_section);
 
 }  // namespace sigmasweep::spec

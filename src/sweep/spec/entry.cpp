@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t longest_shown = 60;
 
-/// A string on one line, cut if long, so that a message stays a message.
+/// A string for a message: on one line, and cut if it is long.
 std::string shown(std::string_view text) {
   std::string line;
   for (const char c : text.substr(0, longest_shown))

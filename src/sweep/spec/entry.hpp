@@ -8,15 +8,16 @@
 
 #include <toml++/toml.h>
 
-/// The TOML side of a spec: keys with their values and places, and the one message that a bad one leads to.
+/// Keys of a spec in TOML with their values and places, and the messages about bad ones.
 namespace sigmasweep::spec {
 
-/// A key of the spec with its value. Refers to the parsed document and to the file's name, which outlive it.
+/// A key of the spec with its value. It refers to the parsed document and to the name of the file, which must exist as
+/// long.
 struct Entry {
   const std::string* file = nullptr;
   std::string path;                  ///< such as sweep.s0.from
-  std::string_view name;             ///< its last part
-  const toml::node* node = nullptr;  ///< its value
+  std::string_view name;             ///< the last part of the path
+  const toml::node* node = nullptr;  ///< the value
   toml::source_index line = 0;       ///< 0 if unknown
 };
 
@@ -27,15 +28,15 @@ std::vector<Entry> elements(const Entry& list);
 
 /// "file:line: "
 std::string place(const std::string& file, toml::source_index line);
-/// Throw SpecError: "file:line: path = value: why", "file:line: path: why", "file:line: unknown key path (...)".
+/// Throw SpecError with "file:line: path = value: why", "file:line: path: why" or "file:line: unknown key path (...)".
 [[noreturn]] void refuse_value(const Entry& entry, std::string_view why);
 [[noreturn]] void refuse(const Entry& entry, std::string_view why);
 [[noreturn]] void refuse_unknown(const Entry& entry, std::span<const std::string_view> known);
 
-/// The value as what it must be; refuse_value() if it is something else.
+/// The value as a type; refuse_value() if it has another one.
 const toml::table& as_table(const Entry& entry);
 std::string as_string(const Entry& entry);
-/// One of `allowed`, by its place in that list.
+/// The place in the list `allowed` of a string.
 std::size_t as_one_of(const Entry& entry, std::span<const std::string_view> allowed);
 bool as_truth(const Entry& entry);
 double as_number(const Entry& entry);  ///< an integer or a float

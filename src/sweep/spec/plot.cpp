@@ -31,7 +31,7 @@ std::string as_field(const Entry& entry) {
   return name;
 }
 
-/// One or a list.
+/// Names of fields: one name, or a list.
 std::vector<std::string> as_fields(const Entry& entry) {
   if (entry.node->is_string()) return {as_field(entry)};
   std::vector<std::string> fields;
@@ -39,7 +39,7 @@ std::vector<std::string> as_fields(const Entry& entry) {
   return fields;
 }
 
-/// A field or an expression.
+/// A name of a field, or an expression of this kind.
 template <class Kind>
 std::string as_expression(const Entry& entry) {
   std::string text = as_string(entry);
@@ -53,18 +53,13 @@ std::string as_expression(const Entry& entry) {
   return text;
 }
 
-bool as_bool(const Entry& entry) {
-  if (const auto* value = entry.node->as_boolean()) return value->get();
-  refuse_value(entry, "must be true or false");
-}
-
 double as_finite(const Entry& entry) {
   const double value = as_number(entry);
   if (!std::isfinite(value)) refuse_value(entry, "must be finite");
   return value;
 }
 
-/// Part of a file's name.
+/// The name of a plot, which becomes a part of a file's name.
 std::string as_name(const Entry& entry) {
   std::string name = as_string(entry);
   const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
@@ -153,7 +148,7 @@ void require_keys_of(PlotKind kind, const Entry& plot) {
   if (kind == PlotKind::trajectories) keys.insert(keys.end(), {"x", "mean_over"});
   for (const Entry& entry : entries(as_table(plot), *plot.file, plot.path))
     if (std::ranges::find(keys, entry.name) == keys.end())
-      refuse(entry, fmt::format("a plot of kind '{}' has no use for it", kinds[static_cast<std::size_t>(kind)]));
+      refuse(entry, fmt::format("is not used by a plot of kind '{}'", kinds[static_cast<std::size_t>(kind)]));
 }
 
 PlotKind kind_of(const std::vector<Entry>& keys) {
@@ -193,7 +188,7 @@ PlotSpec read_plot(const Entry& plot, PlotSpec spec) {
     else if (entry.name == "mean_over")
       spec.mean_over = as_fields(entry);
     else if (entry.name == "lines")
-      spec.lines = as_bool(entry);
+      spec.lines = as_truth(entry);
     else if (entry.name == "fit")
       spec.fit = read_fit(entry);
     else if (entry.name == "guides")

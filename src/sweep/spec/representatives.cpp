@@ -8,9 +8,9 @@ namespace {
 
 bool is_enumeration(const ParameterGrid::Member& member) { return !enumerators(member.field->type).empty(); }
 
-using Values = std::vector<double>;  ///< one a member of a group
+using Values = std::vector<double>;  ///< a value for each member of a group
 
-/// Of a group with enumerations, the different values with numbers as 0 or 1; of others the largest number of each.
+/// Values of a group: with enumerations all different ones, other numbers as 0 or 1; else the largest of each member.
 std::set<Values> representative_values(const ParameterGrid::Group& group) {
   std::set<Values> distinct;
   if (std::ranges::none_of(group, is_enumeration)) {

@@ -6,9 +6,9 @@
 
 namespace sigmasweep::spec {
 
-/// Tuples that stand for all that the axes make: one for every combination of enumerators that occurs, with zips as
-/// they are, and the largest numbers beside it. Enough to know which parameters some tuple uses: a number counts by
-/// being above 0.
+/// Representative tuples of a sweep: one for each combination of enumerators that occurs, with the largest values of
+/// the other parameters. They are enough to know which parameters a sweep uses, which depends on enumerators and on
+/// whether numbers are above 0.
 std::vector<Parameters> representative_tuples(const Parameters& base, const std::vector<ParameterGrid::Group>& groups);
 
 }  // namespace sigmasweep::spec

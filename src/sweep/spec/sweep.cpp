@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::uint64_t max_tuples = std::uint64_t{1} << 40;
 
-/// Each tuple is looked at when the spec is read: about ten seconds for 2^26 and a short expression.
+/// Largest number of tuples that `where` selects from. A short expression takes about ten seconds for all of them.
 constexpr std::uint64_t max_filtered = std::uint64_t{1} << 26;
-constexpr std::size_t short_expression = 64;
-/// The same where a tuple takes 0.1 ms.
+constexpr std::size_t short_expression = 64;  // characters
+/// Largest number of tuples that `where` selects from if each takes 0.1 ms.
 constexpr std::uint64_t max_filtered_slowly = std::uint64_t{1} << 17;
 
-/// Keys of [sweep] that are no parameters.
+/// Keys of [sweep] that are not parameters.
 constexpr std::array<std::string_view, 2> other_keys{"zip", "where"};
 
 void require_known(const std::vector<Entry>& keys) {
@@ -81,7 +81,7 @@ void require_zippable(const Entry& entry, const std::vector<Zip>& zips, const st
   }
 }
 
-/// Axes in spec order; a zipped group stands where its first axis does.
+/// Groups of axes in spec order; the place of a zip is that of its first axis.
 std::vector<ParameterGrid::Group> groups_of(const std::vector<Setting>& settings, const std::vector<Zip>& zips) {
   std::vector<ParameterGrid::Group> groups;
   std::map<const Zip*, std::size_t> group_of;
@@ -107,7 +107,7 @@ Parameters base_of(const std::vector<Setting>& settings) {
   Parameters base;
   const Setting* integrator = find(settings, "integrator");
   if (integrator && integrator->axis.bounds().second > 0.0 && find(settings, "tolerance"))
-    base.steps_per_tc = 0.0;  // chosen by the tolerance, if none are given
+    base.steps_per_tc = 0.0;  // the step is chosen for the tolerance, unless steps_per_tc is given
   static_assert(static_cast<int>(Integrator::exact) == 0);
   for (const Setting& setting : settings) set_number(*setting.field, base, setting.axis[0]);
   return base;

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int max_dots = 32;
 
-/// One past the string that begins at `begin` (basic or literal, on one line or several); the end if it is not closed.
+/// One past the string that begins at `begin`, or the end of the text if the string is not closed. The string is basic
+/// or literal, on one line or several.
 std::size_t skip_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const bool multi_line = text.substr(begin, 3) == std::string(3, quote);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> keys{"samples", "duration", "where"};
 constexpr std::uint64_t max_samples = 1'000'000, max_values = std::uint64_t{1} << 26;
-constexpr std::uint64_t max_looked_at = std::uint64_t{1} << 24;  // a few seconds
+constexpr std::uint64_t max_searched = std::uint64_t{1} << 24;  // rows that `where` selects from; a few seconds
 
 double as_duration(const Entry& entry) {
   const double duration = as_number(entry);
@@ -29,14 +29,14 @@ ParameterWhere as_condition(const Entry& entry) {
   }
 }
 
-/// The rows for which `where` holds, or all.
+/// The rows that satisfy `where`, or all rows if it is null.
 std::vector<std::uint64_t> chosen_rows(const Entry& table, const Entry* where, const Sweep& sweep) {
-  const auto too_many = [&](const Entry& entry, std::uint64_t most, std::string_view what) {
-    refuse(entry, fmt::format("{}: at most {} are allowed; choose rows with 'where'", what, most));
+  const auto too_many = [&](const Entry& entry, std::uint64_t most, std::string_view rows) {
+    refuse(entry, fmt::format("{}: at most {} are allowed; choose rows with 'where'", rows, most));
   };
   if (where == nullptr && sweep.size() > TrajectorySpec::max_files)
     too_many(table, TrajectorySpec::max_files, fmt::format("{} rows are {} files", sweep.size(), sweep.size()));
-  if (sweep.size() > max_looked_at) too_many(table, max_looked_at, fmt::format("{} rows to choose from", sweep.size()));
+  if (sweep.size() > max_searched) too_many(table, max_searched, fmt::format("{} rows to choose from", sweep.size()));
   std::optional<ParameterWhere> condition;
   if (where != nullptr) condition = as_condition(*where);
   std::vector<std::uint64_t> rows;

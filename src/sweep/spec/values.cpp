@@ -15,9 +15,9 @@ namespace sigmasweep::spec {
 namespace {
 
 constexpr std::uint64_t max_linear_pairs = 100'000;
-constexpr std::uint64_t max_in_a_group = 4096;
+constexpr std::uint64_t max_searched = 4096;  // values of an axis whose extremes are searched
 
-/// The smallest and largest value of a parameter.
+/// The smallest and the largest value of a parameter.
 std::array<double, 2> ends(const std::vector<Setting>& settings, std::string_view name, double otherwise) {
   const Setting* setting = find(settings, name);
   if (!setting) return {otherwise, otherwise};
@@ -25,18 +25,18 @@ std::array<double, 2> ends(const std::vector<Setting>& settings, std::string_vie
   return {low, high};
 }
 
-/// s0 or sigma, as given; s0 where neither is, as what vibrates may have it.
+/// The one of s0 and sigma that is given; s0 if neither is, as may be with a plate.
 const ParameterField& gap_of(const std::vector<Setting>& settings) {
   return *find_parameter(find(settings, "sigma") ? "sigma" : "s0");
 }
 
 GapParameter kind_of(const ParameterField& gap) { return gap.name == "s0" ? GapParameter::s0 : GapParameter::sigma; }
 
-/// Values of a long group that tell most about it: where an axis has its extremes.
+/// The values of a group at its ends and at the extremes of its axes.
 ParameterGrid::Group extremes(const ParameterGrid::Group& group) {
   const std::uint64_t length = group.front().axis.size();
   std::set<std::uint64_t> places{0, length - 1};
-  if (length <= max_in_a_group)
+  if (length <= max_searched)
     for (const ParameterGrid::Member& member : group) {
       std::uint64_t lowest = 0, highest = 0;
       for (std::uint64_t k = 1; k < length; ++k) {
@@ -64,8 +64,9 @@ double count(const std::vector<ParameterGrid::Group>& groups) {
   return all;
 }
 
-/// What decides about pairs, thinned until it is few enough to look at: groups of numbers first.
-std::vector<ParameterGrid::Group> few_contacts(std::vector<ParameterGrid::Group> few, std::uint64_t max_pairs) {
+/// The groups, reduced to their extremes one after the other until they make at most `max_pairs` pairs. Groups without
+/// names are reduced first.
+std::vector<ParameterGrid::Group> reduced_groups(std::vector<ParameterGrid::Group> few, std::uint64_t max_pairs) {
   const auto most = static_cast<double>(max_pairs);
   for (const bool names_too : {false, true})
     for (ParameterGrid::Group& group : few)
@@ -96,7 +97,7 @@ void require_diameters(const std::vector<Setting>& settings, const std::vector<Z
     smallest = 1e300;
     for (std::uint64_t k = 0; k < material->axis.size(); ++k) {
       set_number(*material->field, beads, material->axis[k]);
-      beads.law = Law::hooke;  // the diameter is the same with any
+      beads.law = Law::hooke;  // the diameter does not depend on the law
       derive_material(beads);
       smallest = std::min(smallest, beads.d);
     }
@@ -143,7 +144,7 @@ void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>&
   const auto check = [&](double all, double first) {
     if (first >= all)
       refuse((transient ? transient : periods)->entry,
-             fmt::format("of {} periods all belong to the transient of {}: it must be less", all, first));
+             fmt::format("a transient of {} periods must be shorter than all {} periods", first, all));
   };
   if (const Zip* zip = zip_of(zips, "periods"); transient && zip && zip == zip_of(zips, "transient"))
     for (std::uint64_t k = 0; k < std::min(periods->axis.size(), max_linear_pairs); ++k)
@@ -155,7 +156,7 @@ void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>&
 
 void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base) {
   if (find(settings, "K_over_m") || find(settings, "material")) return;
-  // sigma and s0 are monotonic in v0, tc and each other: the corners of the box that the axes span are the extremes.
+  // sigma and s0 are monotonic in v0, tc and each other, so that their extremes are at the ends of the axes.
   const Setting* gap = find(settings, gap_of(settings).name);
   if (!gap) return;
   const Setting& given = *gap;
@@ -180,14 +181,14 @@ void require_pairs(const std::vector<Setting>& settings, const ParameterGrid& pr
   const bool linear = !find(settings, "law") || find(settings, "law")->axis.bounds().second == 0.0;
   static_assert(static_cast<int>(Law::hooke) == 0);
   const Parameters& base = product.base();
-  const auto few = few_contacts(deciding_contacts(base, product.groups()),
-                                linear ? max_linear_pairs : CalibrationCache::max_remembered);
+  const auto few =
+      reduced_groups(groups_of_pairs(base, product.groups()), linear ? max_linear_pairs : CalibrationCache::max_pairs);
   for (std::uint64_t i = 0; i < size_of(few); ++i) {
     Parameters pair = values_at(base, few, i);
-    product.contacts().give(pair);
+    product.contacts().derive_contact(pair);
     for (const double value : ends(settings, gap.name, 0.0)) {
       Parameters p = pair;
-      p.width = 0.0;  // looked at on its own, as is the plate
+      p.width = 0.0;  // checked by require_diameters(), and the plate by require_plate()
       p.geometry = Geometry::column;
       set_number(gap, p, value);
       derive_gap(p, kind_of(gap));

@@ -47,7 +47,7 @@ TEST(Ways, StiffnessAndDampingAreGivenOnce) {
   expect_part(wrong("tc = 1e-5"), "'epsilon' is missing");
   expect_part(wrong(""), "'tc' is missing");
   EXPECT_EQ(wrong("material = [\"none\", \"steel\"]"),
-            "test.toml:5: sweep.material: 'none' is what holds without a material: leave it out");
+            "test.toml:5: sweep.material: 'none' is the default: leave the material out");
   EXPECT_EQ(wrong("K_over_m = [1e9, 0]"), "test.toml:5: sweep.K_over_m: must be > 0");
   expect_part(wrong("K_over_m = -1"), "sweep.K_over_m = -1 is not allowed");
   expect_part(wrong("K_over_m = 1\nD_n = -1"), "sweep.D_n = -1 is not allowed");

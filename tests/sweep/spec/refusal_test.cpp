@@ -118,7 +118,7 @@ TEST(Refusal, RangesAndSamples) {
   expect_part(range("from = 1, to = 2, count = 3, seed = 3"), "bad.toml:2: sweep.sigma.seed: only a sample has a seed");
   expect_part(range("from = 1, to = 2, count = 3, sample = \"sobol\", seed = -1"), "sweep.sigma.seed = -1: must be");
   expect_part(range("from = 1, to = 2, count = 3, sample = \"uniform\", scale = \"log\""),
-              "sweep.sigma.scale: is said by");
+              "sweep.sigma.scale: is given by");
   EXPECT_EQ(refusal("[sweep]\nN = { from = 1, to = 10, count = 5 }\n"),
             "bad.toml:2: sweep.N.count = 5: 5 values from 1 to 10 are not all whole numbers");
   expect_part(refusal("[sweep]\nN = { from = 1, to = 10, count = 100000000, scale = \"log\" }\n"), "at most 1048576");

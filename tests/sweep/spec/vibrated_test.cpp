@@ -115,8 +115,8 @@ TEST(VibratedSweep, RefusesBadPlates) {
   expect_part(bad("alpha = 2\ntransient = -1"), "vib.toml:7: sweep.transient = -1 is not allowed");
   expect_part(bad("A0 = 1\nfrequency = [1, 1e4]"), "vib.toml:6: sweep.A0: with gravity = 9.81, frequency = 10000");
   EXPECT_EQ(bad("alpha = 2\nperiods = 20"),
-            "vib.toml:7: sweep.periods: of 20 periods all belong to the transient of 20: it must be less");
-  expect_part(bad("alpha = 2\nperiods = [10, 30]\ntransient = [5, 20]"), "vib.toml:8: sweep.transient: of 10 periods");
+            "vib.toml:7: sweep.periods: a transient of 20 periods must be shorter than all 20 periods");
+  expect_part(bad("alpha = 2\nperiods = [10, 30]\ntransient = [5, 20]"), "vib.toml:8: sweep.transient: a transient of 20 periods");
   EXPECT_EQ(bad("alpha = 2\nperiods = [10, 30]\ntransient = [5, 20]\nzip = [[\"periods\", \"transient\"]]"),
             "accepted");
 }
