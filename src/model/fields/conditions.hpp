@@ -9,7 +9,7 @@
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/names.hpp"
 
-/// The conditions under which fields count for a tuple: by its geometry, its contact law, its solver.
+/// Conditions for a tuple to use a field: on its geometry, its contact law and its solver.
 namespace sigmasweep::conditions {
 
 inline constexpr Condition always{[](const Parameters&) { return true; }, ""};
@@ -26,20 +26,21 @@ inline constexpr Condition column{
     [](const Parameters& p) { return !is_lattice(p); },
     "geometry = 'column' or 'vibrated-column'; of a lattice N = rows x columns, which are given instead"};
 
-// By what gives stiffness and damping of a contact.
+// By the parameters that give stiffness and damping of a contact.
 
-/// K_over_m or a material: tc and epsilon follow.
+/// Whether K_over_m or a material is given, from which tc and epsilon follow.
 constexpr bool has_own_stiffness(const Parameters& p) { return p.K_over_m > 0.0 || p.material != Material::none; }
 constexpr bool is_soft(const Parameters& p) { return p.method == Method::md; }
-/// Hard spheres know only epsilon: the law counts where epsilon follows from it.
+/// Whether the tuple uses the law. Hard spheres need epsilon only, and the law if epsilon follows from it.
 constexpr bool has_law(const Parameters& p) { return is_soft(p) || has_own_stiffness(p); }
 
 inline constexpr Condition by_contact{[](const Parameters& p) { return !has_own_stiffness(p); },
                                       "stiffness and damping given by tc and epsilon"};
-/// A table has tc where tc has a meaning, whatever it follows from.
+/// Whether tc has a meaning and stands in the table, given or derived.
 inline constexpr Condition tabulated_contact_time{
     [](const Parameters& p) { return !is_vibrated(p) || is_soft(p) || p.ed_rule == EdRule::tc; }, ""};
-/// Hard spheres of the rule lrv have no contact time, but without gravity sigma measures gaps by tc.
+/// Whether tc can be given. Hard spheres of the rule lrv have no contact time, but without gravity tc is the unit of
+/// sigma.
 inline constexpr Condition contact_time{
     [](const Parameters& p) { return by_contact.holds(p) && tabulated_contact_time.holds(p); },
     "stiffness and damping given by tc and epsilon; of vibrated columns method = 'md'"};
@@ -53,7 +54,7 @@ inline constexpr Condition law{has_law, "method = 'md', or K_over_m or a materia
 inline constexpr Condition free_exponents{
     [](const Parameters& p) { return laws[static_cast<std::size_t>(p.law)].free_exponents && has_law(p); },
     "law = 'power'"};
-/// Vibrated beads have no approach speed, but laws that are not linear have tc and epsilon at one.
+/// Whether v0 can be given. Vibrated beads have no approach speed, but nonlinear laws have tc and epsilon at v0.
 inline constexpr Condition speed{
     [](const Parameters& p) { return !is_vibrated(p) || (has_law(p) && !exponents(p).linear()); },
     "geometry = 'column' or 'lattice', or a law that is not linear"};

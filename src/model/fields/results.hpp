@@ -5,7 +5,7 @@
 #include "model/fields/conditions.hpp"
 #include "model/fields/member.hpp"
 
-/// The tables of results and timings: one row a column, in the order in which they are stored and shown.
+/// The tables of results and timings, in the order in which they are stored and shown.
 namespace sigmasweep {
 
 inline constexpr auto table_of_results = std::to_array<FieldOf<SimulationResult>>({
@@ -30,7 +30,7 @@ inline constexpr auto table_of_results = std::to_array<FieldOf<SimulationResult>
      .symbol = "{/:Italic x}_{max}", .quantity = "largest overlap {/:Italic x}_{max}",
      .applies = {&conditions::overlaps}},
     {SIGMASWEEP_MEMBER(SimulationResult, predicted_growth), .unit = "1",
-     .meaning = "fixed steps: of the least stable mode in N tc (lattice: rows tc), by theory",
+     .meaning = "fixed steps: predicted growth of the least stable mode in N tc (lattice: rows tc)",
      .applies = {&conditions::fixed_steps}},
     {SIGMASWEEP_MEMBER_NAMED("h_cm", SimulationResult, vibration.h_cm), .unit = "m",
      .meaning = "mean height of the centre of mass above the plate's middle", .symbol = "⟨{/:Italic h}_{cm}⟩",
@@ -52,26 +52,26 @@ inline constexpr auto table_of_results = std::to_array<FieldOf<SimulationResult>
      .meaning = "mean kinetic energy relative to the centre of mass, over the mass", .symbol = "⟨{/:Italic E}_r⟩",
      .quantity = "energy of the relative motion ⟨{/:Italic E}_r⟩", .applies = {&conditions::vibrates}},
     {SIGMASWEEP_MEMBER_NAMED("cm_period", SimulationResult, vibration.cm_period), .unit = "s",
-     .meaning = "after which the centre of mass repeats its motion", .applies = {&conditions::vibrates}},
+     .meaning = "period of the centre of mass", .applies = {&conditions::vibrates}},
     {SIGMASWEEP_MEMBER_NAMED("power_in", SimulationResult, vibration.power_in), .unit = "W/kg",
      .meaning = "mean power of the plate, over the mass", .applies = {&conditions::vibrates}},
     {SIGMASWEEP_MEMBER_NAMED("power_lost", SimulationResult, vibration.power_lost), .unit = "W/kg",
-     .meaning = "mean power lost in contacts, over the mass", .applies = {&conditions::vibrates}},
+     .meaning = "mean power dissipated in contacts, over the mass", .applies = {&conditions::vibrates}},
     {SIGMASWEEP_MEMBER_NAMED("imbalance", SimulationResult, vibration.imbalance), .unit = "1",
-     .meaning = "work in less work lost and gain of energy, over max(work in, weight x plate's path)",
+     .meaning = "plate's work less dissipation and gain of energy, over max(plate's work, weight x plate's path)",
      .applies = {&conditions::vibrates}},
     {SIGMASWEEP_MEMBER(SimulationResult, contacts), .unit = "1",
-     .meaning = "contacts closed and opened again; for hard spheres collisions"},
-    {SIGMASWEEP_MEMBER(SimulationResult, end), .unit = "1",
-     .meaning = "why the collision was considered over; periods: all that were asked for"},
-    {SIGMASWEEP_MEMBER(SimulationResult, status), .unit = "1", .meaning = "whether the row holds what was asked for"},
+     .meaning = "number of contacts that closed and opened again; hard spheres: of collisions"},
+    {SIGMASWEEP_MEMBER(SimulationResult, end), .unit = "1", .meaning = "why the computation ended"},
+    {SIGMASWEEP_MEMBER(SimulationResult, status), .unit = "1",
+     .meaning = "whether the row holds a result, and if not, why"},
 });
 
 inline constexpr auto table_of_timings = std::to_array<FieldOf<Timing>>({
-    {SIGMASWEEP_MEMBER(Timing, run_time), .unit = "s", .meaning = "CPU time spent on the tuple"},
-    {SIGMASWEEP_MEMBER(Timing, predicted_time), .unit = "s", .meaning = "CPU time that the cost model predicted"},
+    {SIGMASWEEP_MEMBER(Timing, run_time), .unit = "s", .meaning = "CPU time of the tuple"},
+    {SIGMASWEEP_MEMBER(Timing, predicted_time), .unit = "s", .meaning = "CPU time predicted by the cost model"},
     {SIGMASWEEP_MEMBER(Timing, rank), .unit = "1", .meaning = "rank that computed the row"},
-    {SIGMASWEEP_MEMBER(Timing, attempt), .unit = "1", .meaning = "1 for the first try"},
+    {SIGMASWEEP_MEMBER(Timing, attempt), .unit = "1", .meaning = "number of the attempt; 1 for the first"},
 });
 
 }  // namespace sigmasweep
