@@ -39,9 +39,9 @@ void plot_films(const StoredSweep& stored, const PlotSpec& spec, const std::stri
   RowChoice chosen(spec.where);
   std::vector<Row> rows;
   for (const std::uint64_t k : sweep.trajectory()->rows) {
-    const auto place = stored.table.info.slice.place(k);
-    if (!place) continue;
-    const Row& row = stored.table.rows[*place];
+    const auto found = std::ranges::lower_bound(stored.table.rows, k, {}, &Row::index);
+    if (found == stored.table.rows.end() || found->index != k) continue;  // of another slice, or not there yet
+    const Row& row = *found;
     if (std::isfinite(show_time(row.parameters, row.result)) && chosen(row)) rows.push_back(row);
   }
   if (spec.mean_over.empty()) require_room_for(rows.size());

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "engine/ledger/stored_sweep.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "store/stored/stored_sweep.hpp"
 
 namespace sigmasweep {
 

@@ -9,7 +9,7 @@ import subprocess
 import unittest
 
 import h5py
-from sweep_process import PROGRAM, Sweep, end_of, spec, xxh3
+from sweep_process import PROGRAM, Sweep, end_of, first_record, spec, xxh3
 
 QUICK = spec(steps=20)
 SEAL = 16  # bytes behind the end of the HDF5 file
@@ -105,7 +105,7 @@ class DamagedJournals(unittest.TestCase):
         kept = len(sweep.journalled())
         data = sweep.journal.read_bytes()
         size = struct.unpack_from("<I", data, 12)[0]
-        sweep.journal.write_bytes(flipped(data, 56 + 2 * size + 100, 3)[:-1])
+        sweep.journal.write_bytes(flipped(data, first_record(data) + 2 * size + 100, 3)[:-1])
         ended = sweep.run(2)
         self.assertEqual(ended.code, 0, ended)
         self.assertIn("2 damaged or torn records of the journal are passed over", ended.err)
@@ -115,7 +115,7 @@ class DamagedJournals(unittest.TestCase):
         sweep = self.stopped()
         data = bytearray(sweep.journal.read_bytes())
         data[44] ^= 1
-        data[48:56] = struct.pack("<Q", xxh3(bytes(data[:48])))  # the header's checksum is right
+        data[64:72] = struct.pack("<Q", xxh3(bytes(data[:64])))  # the header's checksum is right
         sweep.journal.write_bytes(data)
         for ranks in (0, 2):
             ended = sweep.run(ranks)
@@ -129,7 +129,7 @@ class DamagedJournals(unittest.TestCase):
         for byte, words in ((8, "format"), (16, "other fields"), (40, "physics version")):
             data = bytearray(sweep.journal.read_bytes())
             data[byte] ^= 1
-            data[48:56] = struct.pack("<Q", xxh3(bytes(data[:48])))
+            data[64:72] = struct.pack("<Q", xxh3(bytes(data[:64])))
             changed = Sweep()
             changed.journal.write_bytes(data)
             ended = changed.run(0)

@@ -57,6 +57,11 @@ def xxh3(data, seed=0):
     return library.XXH3_64bits_withSeed(data, ctypes.c_size_t(len(data)), ctypes.c_uint64(seed))
 
 
+def first_record(journal):
+    """Where the records of a journal begin."""
+    return 72 + struct.unpack_from("<Q", journal, 48)[0]
+
+
 class Sweep:
     """A spec and its table in a temporary directory."""
 
@@ -95,14 +100,15 @@ class Sweep:
         return sorted(entry.name for entry in self.path.iterdir())
 
     def journalled(self):
-        """run_time by row, from the journal. Its header of 56 bytes has the size of a record at byte 12. A record
-        starts with the row's index and ends with run_time, predicted_time, rank, attempt and checksum."""
+        """run_time by row, from the journal. Its header of 72 bytes has the size of a record at byte 12, and at byte 48
+        the size of the sweep's description, which follows the header. A record starts with the row's index and ends
+        with run_time, predicted_time, rank, attempt and checksum."""
         if not self.journal.exists():
             return {}
         data = self.journal.read_bytes()
         size = struct.unpack_from("<I", data, 12)[0]
         rows = {}
-        for start in range(56, len(data) - size + 1, size):
+        for start in range(first_record(data), len(data) - size + 1, size):
             rows[struct.unpack_from("<Q", data, start)[0]] = struct.unpack_from("<d", data, start + size - 32)[0]
         return rows
 

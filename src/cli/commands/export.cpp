@@ -6,9 +6,10 @@
 
 #include "base/atomic_file.hpp"
 #include "cli/command.hpp"
-#include "engine/ledger/stored_sweep.hpp"
+#include "cli/read_sweep.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/rows/formats.hpp"
+#include "store/stored/stored_sweep.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -34,7 +35,7 @@ void write(std::FILE* file, RowWriter& writer, const std::vector<Row>& rows) {
 }
 
 int export_table(const ExportOptions& options) {
-  const StoredSweep stored = read_stored_sweep(options.table);
+  const StoredSweep stored = read_sweep(options.table);
   std::vector<Field> columns = stored.table.columns;
   if (options.timings) columns.insert(columns.end(), timing_fields().begin(), timing_fields().end());
   const auto writer = chosen_format(options).writer(std::move(columns));
@@ -56,7 +57,7 @@ void declare(OptionSet& set, ExportOptions& options) {
   std::vector<std::string> formats;
   for (const RowFormat& format : row_formats()) formats.emplace_back(format.name);
   const std::string names = fmt::format("{}", fmt::join(formats, "|"));
-  set.add({"table", "A table that 'run' wrote", "TABLE.h5"}, options.table);
+  set.add({"table", "A table that 'run' wrote, or will write", "TABLE.h5"}, options.table);
   set.add({"-o,--output", "The file; default: standard output", "FILE." + names}, options.output);
   set.add({"--format", fmt::format("Format of the rows; default: from the file's ending, else {}", formats.front()),
            names, formats},

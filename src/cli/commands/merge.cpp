@@ -9,10 +9,10 @@
 #include "base/exit_codes.hpp"
 #include "cli/command.hpp"
 #include "engine/ledger/ledger.hpp"
-#include "engine/ledger/stored_sweep.hpp"
 #include "engine/report/summary.hpp"
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "store/stored/stored_sweep.hpp"
 #include "store/table/table.hpp"
 
 namespace sigmasweep {
@@ -30,6 +30,7 @@ struct MergeOptions {
 /// The table of a part. Its spec must be that of the first part, and its rows must be of this program's physics.
 Table read_part(const std::string& path, const TableInfo* first) {
   StoredSweep part = read_stored_sweep(path);
+  if (!part.complete) refuse(incomplete_line(part, path));
   if (const std::string why_not = why_not_ours(part); !why_not.empty()) refuse(fmt::format("{} {}", path, why_not));
   const TableInfo& info = part.table.info;
   if (first != nullptr && info.spec_hash != first->spec_hash)
@@ -83,7 +84,9 @@ void require_all(const std::vector<Row>& rows, std::uint64_t slices) {
 int merge(const MergeOptions& options) {
   Table first = read_part(options.parts.front(), nullptr);
   const Sweep sweep = Sweep::parse_stored(first.info.spec_text, options.parts.front());
-  Ledger ledger(sweep, options.output, LedgerOptions{.fresh = options.fresh, .reuse = {}});
+  TableInfo whole = first.info;
+  whole.slice = {};
+  Ledger ledger(sweep, options.output, LedgerOptions{.fresh = options.fresh, .info = std::move(whole)});
   if (ledger.table_is_complete()) {
     ledger.close();
     if (!options.quiet) fmt::print(stderr, "sigmasweep: {} is complete, nothing to merge\n", options.output);

@@ -4,10 +4,11 @@
 
 #include "cli/command.hpp"
 #include "cli/plot_films.hpp"
-#include "engine/ledger/stored_sweep.hpp"
+#include "cli/read_sweep.hpp"
 #include "plot/named.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/plot/plot.hpp"
+#include "store/stored/stored_sweep.hpp"
 #include "studies/precision/pictures.hpp"
 #include "studies/precision/plot.hpp"
 #include "studies/precision/table.hpp"
@@ -43,8 +44,17 @@ void override(PlotSpec& spec, const PlotOptions& options) {
   spec.guides.clear();
 }
 
-void draw(const StoredSweep& stored, const PlotSpec& spec, const PlotOptions& options, const std::string& file) {
+/// The title, which says when rows are still to come.
+std::string title_of(const StoredSweep& stored, const PlotSpec& spec) {
+  const std::string title = spec.title.empty() ? stored.table.info.title : spec.title;
+  if (stored.complete) return title;
+  return fmt::format("{}{}{} of {} rows so far", title, title.empty() ? "" : ": ", stored.table.rows.size(),
+                     stored.total);
+}
+
+void draw(const StoredSweep& stored, PlotSpec spec, const PlotOptions& options, const std::string& file) {
   const auto& [info, columns, rows] = stored.table;
+  spec.title = title_of(stored, spec);
   std::vector<SeriesFit> fits;
   switch (spec.kind) {
     case PlotKind::points: fits = plot_rows(rows, spec, info.title, file); break;
@@ -67,7 +77,7 @@ int plot_table(const PlotOptions& options) {
     draw_stored_precision(options.table, main_file, options.name);
     return 0;
   }
-  const StoredSweep stored = read_stored_sweep(options.table);
+  const StoredSweep stored = read_sweep(options.table);
   const std::vector<PlotSpec> all = stored.sweep ? stored.sweep->plots() : std::vector<PlotSpec>(1);
   if (options.kind == "precision") {
     plot_precision_of(stored.table.rows, stored.table.info.title, main_file);

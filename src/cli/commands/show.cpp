@@ -2,8 +2,9 @@
 #include <algorithm>
 
 #include "cli/command.hpp"
-#include "engine/ledger/stored_sweep.hpp"
+#include "cli/read_sweep.hpp"
 #include "store/rows/json.hpp"
+#include "store/stored/stored_sweep.hpp"
 #include "sweep/expression/where.hpp"
 
 namespace sigmasweep {
@@ -57,8 +58,9 @@ std::string slice_line(const Slice& slice) {
 void print_text(const StoredSweep& stored, const ShowOptions& options, const std::vector<const Row*>& rows,
                 std::size_t matching) {
   const Table& table = stored.table;
-  fmt::print("{}\n{}: {} rows ({}), spec {:016x}, {} on {}, {} {}\n{}\n", table.info.title, options.table,
-             table.rows.size(), rows_by_status(table.rows), table.info.spec_hash, table.info.start, table.info.host,
+  const std::string of = stored.complete ? "" : fmt::format(" of {}", stored.total);
+  fmt::print("{}\n{}: {}{} rows ({}), spec {:016x}, {} on {}, {} {}\n{}\n", table.info.title, options.table,
+             table.rows.size(), of, rows_by_status(table.rows), table.info.spec_hash, table.info.start, table.info.host,
              table.info.ranks, table.info.ranks == 1 ? "rank" : "ranks", slice_line(table.info.slice));
   if (rows.empty()) {
     fmt::print("no such rows\n");
@@ -74,7 +76,8 @@ void print_json(const StoredSweep& stored, const ShowOptions& options, const std
   nlohmann::ordered_json document = {
       {"title", table.info.title}, {"spec_hash", fmt::format("{:016x}", table.info.spec_hash)},
       {"start", table.info.start}, {"host", table.info.host},
-      {"ranks", table.info.ranks}, {"rows", table.rows.size()},
+      {"ranks", table.info.ranks}, {"complete", stored.complete},
+      {"rows", stored.total},      {"done", table.rows.size()},
       {"matching", matching},      {"results", nlohmann::ordered_json::array()}};
   if (!table.info.slice.is_whole())
     document["slice"] = {{"index", table.info.slice.index}, {"count", table.info.slice.count}};
@@ -93,7 +96,7 @@ int show(const ShowOptions& options) {
   const std::vector<Field> fields = all_fields();
   std::optional<Where> where;
   if (!options.where.empty()) where.emplace(options.where, fields);
-  const StoredSweep stored = read_stored_sweep(options.table);
+  const StoredSweep stored = read_sweep(options.table);
   const std::uint64_t limit = options.limit.value_or(options.json ? 0 : ShowOptions::default_limit);
   std::vector<const Row*> rows;
   std::size_t matching = 0;
@@ -109,7 +112,7 @@ int show(const ShowOptions& options) {
 }
 
 void declare(OptionSet& set, ShowOptions& options) {
-  set.add({"table", "A table that 'run' wrote", "TABLE.h5"}, options.table);
+  set.add({"table", "A table that 'run' wrote, or will write", "TABLE.h5"}, options.table);
   set.add({"--where", "Only rows that satisfy this condition, written as in a spec", "CONDITION"}, options.where);
   set.add_flag("--failed", "Only failed rows, each with the command that repeats it", options.failed);
   set.add(

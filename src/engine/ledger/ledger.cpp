@@ -9,9 +9,9 @@
 
 #include "base/random.hpp"
 #include "engine/ledger/reuse.hpp"
-#include "engine/ledger/stored_sweep.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/physics_version.hpp"
+#include "store/stored/stored_sweep.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -62,7 +62,7 @@ Ledger::Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions
     : slice_(options.slice),
       retry_(options.retry),
       journal_(table, identity_of(sweep, slice_), options.fresh,
-               options.extend ? [&](const auto& old) { return carry(sweep, old); } : Journal::Carry()),
+               options.extend ? [&](const auto& old) { return carry(sweep, old); } : Journal::Carry(), options.info),
       rows_(slice_.size(sweep.size())),
       have_(rows_.size(), false) {
   take_journal(sweep);

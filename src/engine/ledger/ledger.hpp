@@ -15,11 +15,12 @@ namespace sigmasweep {
 
 /// The rows that a run begins with.
 struct LedgerOptions {
-  bool fresh = false;              ///< replace whatever is there
-  Slice slice{};                   ///< the rows wanted
-  bool extend = false;             ///< take over the rows of a table or journal of another spec at the same place
-  std::vector<std::string> reuse;  ///< other tables whose rows are taken over
-  bool retry = false;              ///< leave out rows whose status is not reproducible: they are computed again
+  bool fresh = false;                ///< replace whatever is there
+  Slice slice{};                     ///< the rows wanted
+  bool extend = false;               ///< take over the rows of a table or journal of another spec at the same place
+  std::vector<std::string> reuse{};  ///< other tables whose rows are taken over
+  bool retry = false;                ///< leave out rows whose status is not reproducible: they are computed again
+  TableInfo info{};                  ///< what a journal that is made says of the sweep
 };
 
 /// The rows of a sweep under way, on the manager: the rows that are done, the rows that are missing, and the journal to

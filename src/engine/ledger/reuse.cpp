@@ -3,7 +3,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "engine/ledger/stored_sweep.hpp"
+#include "store/stored/stored_sweep.hpp"
 
 namespace sigmasweep {
 
@@ -27,7 +27,7 @@ std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const 
 }
 
 ReusableRows reusable_rows(const std::string& path) {
-  StoredSweep stored = read_stored_sweep(path);
+  StoredSweep stored = read_finished_sweep(path);
   std::string why_not = why_not_ours(stored);
   if (!why_not.empty()) return {{}, std::move(why_not)};
   return {std::move(stored.table.rows), {}};

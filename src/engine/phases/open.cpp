@@ -36,8 +36,15 @@ OpenSweep open_sweep(const World& world, const RunOptions& options, const Report
   on_manager(world, [&] {
     sweep = Sweep::load(options.spec, options.sections);
     if (!options.fresh) require_own_trajectories(*sweep, table);
+    TableInfo info = table_info(*sweep, start, world.size());
+    info.slice = options.slice;
     ledger.emplace(*sweep, table,
-                   LedgerOptions{options.fresh, options.slice, options.extend, options.reuse, options.retry});
+                   LedgerOptions{.fresh = options.fresh,
+                                 .slice = options.slice,
+                                 .extend = options.extend,
+                                 .reuse = options.reuse,
+                                 .retry = options.retry,
+                                 .info = std::move(info)});
     if (options.fresh) remove_trajectories(*sweep, table);
     report_kept_rows(*ledger, table, options.slice.size(sweep->size()), reporter);
   });

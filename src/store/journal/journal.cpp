@@ -5,16 +5,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <chrono>
 #include <span>
+#include <utility>
 
 #include "base/atomic_file.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "store/journal/description.hpp"
 #include "store/journal/lock.hpp"
 #include "store/journal/record.hpp"
+#include "store/journal/recover.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -25,25 +27,17 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t records_per_sync = 1024;
 constexpr auto time_per_sync = std::chrono::seconds(1);
 
-constexpr std::uint64_t header_size = sizeof(JournalHeader);
-
-/// Keeps one row of each index, the last one, in order of index.
-void keep_last_of_each_index(std::vector<Row>& rows) {
-  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.index < b.index; });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (i + 1 == rows.size() || rows[i + 1].index != rows[i].index) rows[kept++] = rows[i];
-  rows.resize(kept);
-}
-
 }  // namespace
 
 struct Journal::Impl {
-  Impl(const std::string& table_path, const JournalIdentity& identity_, bool fresh, const Carry& carry)
+  Impl(const std::string& table_path, const JournalIdentity& identity_, bool fresh, const Carry& carry,
+       const TableInfo& info)
       : lock(table_path),
         path(table_path + ".journal"),
         identity(identity_),
-        codec(make_header(identity_)),
+        description(description_of(info)),
+        header(make_header(identity_, description)),
+        codec(header),
         buffer(codec.size()) {
     if (fresh)
       create({});
@@ -58,9 +52,9 @@ struct Journal::Impl {
 
   void open_existing(const Carry& carry);
   void create(const std::vector<Row>& rows);
-  void recover(const RecordCodec& their_codec);
+  void recover(const JournalHeader& found);
   void replace(const JournalHeader& old, const Carry& carry);
-  std::uint64_t end() const { return header_size + records * codec.size(); }
+  std::uint64_t end() const { return first_record(header) + records * codec.size(); }
   [[noreturn]] void fail(const char* what, int error) const {
     throw IoError(fmt::format("cannot {} {}: {}", what, path, reason(error)));
   }
@@ -68,6 +62,8 @@ struct Journal::Impl {
   TableLock lock;  // first in, last out
   std::string path;
   JournalIdentity identity;
+  std::string description;
+  JournalHeader header;  // of the file, once there is one
   RecordCodec codec;
   File file;
   std::vector<std::byte> buffer;  // one record
@@ -85,24 +81,27 @@ void Journal::Impl::open_existing(const Carry& carry) {
   if (!file.is_open()) throw OutputError(fmt::format("cannot open {}: {}", path, reason(errno)));
   struct stat status {};
   if (::fstat(file.fd(), &status) != 0) fail("read", errno);
-  JournalHeader header;
+  JournalHeader found;
   std::size_t size = 0;
-  if (S_ISREG(status.st_mode)) size = read_at(file.fd(), std::as_writable_bytes(std::span(&header, 1)), 0, path);
-  const std::string why = why_unusable(header, size, identity);
+  if (S_ISREG(status.st_mode)) size = read_at(file.fd(), std::as_writable_bytes(std::span(&found, 1)), 0, path);
+  const std::string why = why_unusable(found, size, identity);
   const bool same_but_for_the_sweep =
-      why_unusable(header, size, {header.spec_hash, identity.physics_version, header.rows}).empty();
-  if (!why.empty() && carry && same_but_for_the_sweep) return replace(header, carry);
+      why_unusable(found, size, {found.spec_hash, identity.physics_version, found.rows}).empty();
+  if (!why.empty() && carry && same_but_for_the_sweep) return replace(found, carry);
   if (!why.empty())
     throw OutputError(
         fmt::format("{} {}. Start the sweep again with --fresh, which replaces it, or choose another "
                     "output with -o",
                     path, why));
-  recover(codec);
+  recover(found);
+  if (!read_description(file, path, found)) return create(recovered);  // damaged: the rows are not
+  header = found;
+  codec = RecordCodec(header);
   if (::ftruncate(file.fd(), static_cast<off_t>(end())) != 0) fail("cut the torn end of", errno);
 }
 
 void Journal::Impl::replace(const JournalHeader& old, const Carry& carry) {
-  recover(RecordCodec(old));
+  recover(old);
   recovered = carry(recovered);
   dropped = 0;
   create(recovered);
@@ -111,9 +110,9 @@ void Journal::Impl::replace(const JournalHeader& old, const Carry& carry) {
 /// Makes a journal that begins with these rows. It appears complete: a journal always has a whole header.
 void Journal::Impl::create(const std::vector<Row>& rows) {
   AtomicFile made(path);
-  const JournalHeader header = make_header(identity);
   records = 0;
   int error = write_at(made.fd(), std::as_bytes(std::span(&header, 1)), 0);
+  if (error == 0) error = write_at(made.fd(), std::as_bytes(std::span(description)), sizeof header);
   for (const Row& row : rows) {
     if (error != 0) break;
     codec.encode(row, records, buffer.data());
@@ -127,30 +126,17 @@ void Journal::Impl::create(const std::vector<Row>& rows) {
   sync_directory_of(path);
 }
 
-/// Reads the records, a bounded number at a time. Sets `records` to one past the last good record.
-void Journal::Impl::recover(const RecordCodec& their_codec) {
-  const std::size_t record_size = their_codec.size();
-  std::vector<std::byte> chunk(4096 * record_size);
-  std::uint64_t number = 0;  // of the record in the file
-  std::size_t got = 0;
-  do {
-    got = read_at(file.fd(), chunk, header_size + number * record_size, path);
-    const std::size_t whole = got / record_size;
-    for (std::size_t i = 0; i < whole; ++i, ++number) {
-      if (const auto row = their_codec.decode(chunk.data() + i * record_size, number)) {
-        recovered.push_back(*row);
-        records = number + 1;
-      } else {
-        ++dropped;
-      }
-    }
-    if (got % record_size != 0) ++dropped;
-  } while (got == chunk.size());
-  keep_last_of_each_index(recovered);
+/// Sets `records` to one past the last good record.
+void Journal::Impl::recover(const JournalHeader& found) {
+  RecoveredRows all = recover_rows(file, path, found);
+  recovered = std::move(all.rows);
+  records = all.records;
+  dropped = all.dropped;
 }
 
-Journal::Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry)
-    : impl_(std::make_unique<Impl>(table_path, identity, fresh, carry)) {}
+Journal::Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry,
+                 const TableInfo& info)
+    : impl_(std::make_unique<Impl>(table_path, identity, fresh, carry, info)) {}
 
 Journal::~Journal() = default;
 Journal::Journal(Journal&&) noexcept = default;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sigmasweep/model/row.hpp"
+#include "store/table/table_info.hpp"
 
 namespace sigmasweep {
 
@@ -18,7 +19,7 @@ struct JournalIdentity {
 };
 
 /// The record of a sweep while it runs: an append-only file of fixed-size, checksummed records beside the table
-/// (TABLE.h5.journal). Only the manager opens it.
+/// (TABLE.h5.journal). Only the manager writes it.
 class Journal {
  public:
   /// Opens the journal that is there. Before anything else is opened, an exclusive fcntl lock is taken on TABLE.h5.lock
@@ -35,8 +36,11 @@ class Journal {
   /// Throws OutputError if another process holds the lock, if the file cannot be created, or if it is foreign or of
   /// another spec, physics version or number of rows; then the file is left as it is and the message says how to go on.
   /// Throws IoError if reading or writing fails.
+  ///
+  /// A journal that is made begins with `info`, for those who read it without the spec (read_journal()).
   using Carry = std::function<std::vector<Row>(const std::vector<Row>& old)>;
-  Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry = {});
+  Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry = {},
+          const TableInfo& info = {});
   /// Syncs if possible, without an error if not, and releases the lock.
   ~Journal();
   Journal(Journal&&) noexcept;

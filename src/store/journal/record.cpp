@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::uint64_t magic = 0x0a4c4e524a575353;  // "SSWJRNL\n" on a little-endian machine
 
+constexpr std::uint64_t max_description_size = 1 << 28;  // a spec of 4 MiB, each byte of which JSON may write as six
+
 static_assert(std::has_unique_object_representations_v<JournalHeader>);
 
 /// All fields of a row besides its index.
@@ -49,7 +51,7 @@ std::uint32_t build_hash() {
 
 }  // namespace
 
-JournalHeader make_header(const JournalIdentity& identity) {
+JournalHeader make_header(const JournalIdentity& identity, std::string_view description) {
   const std::vector<Field> fields = record_fields();
   JournalHeader header;
   header.magic = magic;
@@ -60,19 +62,35 @@ JournalHeader make_header(const JournalIdentity& identity) {
   header.rows = identity.rows;
   header.physics_version = identity.physics_version;
   header.build = build_hash();
+  header.description_size = description.size();
+  header.description_checksum = XXH3_64bits(description.data(), description.size());
   header.checksum = checksum_of(header);
   return header;
 }
 
-std::string why_unusable(const JournalHeader& found, std::size_t size, const JournalIdentity& identity) {
-  const JournalHeader wanted = make_header(identity);
+std::uint64_t first_record(const JournalHeader& header) { return sizeof header + header.description_size; }
+
+bool is_description_of(const JournalHeader& header, std::string_view description) {
+  return description.size() == header.description_size &&
+         XXH3_64bits(description.data(), description.size()) == header.description_checksum;
+}
+
+std::string why_unreadable(const JournalHeader& found, std::size_t size) {
+  const JournalHeader wanted = make_header({});
   if (size < sizeof found || found.magic != wanted.magic) return "is not a journal of sigmasweep";
   if (found.format_version != wanted.format_version)
     return fmt::format("is a journal of another version of sigmasweep (format {}, this one reads {})",
                        found.format_version, wanted.format_version);
-  if (found.checksum != checksum_of(found)) return "is a journal with a damaged header";
+  if (found.checksum != checksum_of(found) || found.description_size > max_description_size)
+    return "is a journal with a damaged header";
   if (found.record_size != wanted.record_size || found.layout != wanted.layout)
     return "is a journal of another version of sigmasweep (its rows hold other fields)";
+  return {};
+}
+
+std::string why_unusable(const JournalHeader& found, std::size_t size, const JournalIdentity& identity) {
+  if (std::string why = why_unreadable(found, size); !why.empty()) return why;
+  const JournalHeader wanted = make_header(identity);
   if (found.spec_hash != wanted.spec_hash)
     return fmt::format("belongs to another sweep spec or slice (its hash is {:016x}, this one's {:016x})",
                        found.spec_hash, wanted.spec_hash);

@@ -4,16 +4,17 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sigmasweep/model/fields.hpp"
 #include "store/journal/journal.hpp"
 
-/// The bytes of a journal: one header, then records of one size. Numbers are stored as the machine has them, because a
-/// journal is finished on the machine where it was begun.
+/// The bytes of a journal: one header, the description of the sweep (description.hpp), then records of one size.
+/// Numbers are stored as the machine has them, because a journal is finished on the machine where it was begun.
 namespace sigmasweep {
 
-inline constexpr std::uint32_t journal_format_version = 1;
+inline constexpr std::uint32_t journal_format_version = 2;
 
 /// The first bytes of a journal.
 struct JournalHeader {
@@ -26,11 +27,23 @@ struct JournalHeader {
   std::uint32_t physics_version = 0;
   std::uint32_t build =
       0;  ///< hash of compiler, its options and the program's version: the last digits depend on these
-  std::uint64_t checksum = 0;  ///< xxh3 of all before
+  std::uint64_t description_size = 0;      ///< bytes between header and records
+  std::uint64_t description_checksum = 0;  ///< xxh3 of them
+  std::uint64_t checksum = 0;              ///< xxh3 of all before
 };
 
-/// The header of this program's journal for the sweep.
-JournalHeader make_header(const JournalIdentity& identity);
+/// The header of this program's journal for the sweep, with the text that describes it.
+JournalHeader make_header(const JournalIdentity& identity, std::string_view description = {});
+
+/// Where the first record stands in the file.
+std::uint64_t first_record(const JournalHeader& header);
+
+/// Whether the text is the one that belongs to the header.
+bool is_description_of(const JournalHeader& header, std::string_view description);
+
+/// Why a file whose first `size` bytes are `found` is not a journal that this program can read, whatever the sweep;
+/// empty if it is one.
+std::string why_unreadable(const JournalHeader& found, std::size_t size);
 
 /// Why a file whose first `size` bytes are `found` is not a journal of the sweep; empty if it is one.
 std::string why_unusable(const JournalHeader& found, std::size_t size, const JournalIdentity& identity);

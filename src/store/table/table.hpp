@@ -8,22 +8,9 @@
 
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/row.hpp"
-#include "sweep/slice.hpp"
+#include "store/table/table_info.hpp"
 
 namespace sigmasweep {
-
-/// What a table's root attributes say about the sweep and its run: title, spec, spec_hash (hexadecimal text), host,
-/// start, ranks, and for a slice of a sweep slice_index and slice_count. The writer adds format ("sigmasweep-table"),
-/// format_version, rows, physics_version, program_version, git_revision, compiler, compiler_flags, mpi_version and
-/// hdf5_version. All texts are UTF-8.
-struct TableInfo {
-  std::string title, spec_text, host, start;  ///< start: ISO 8601, UTC
-  std::uint64_t spec_hash = 0;
-  int ranks = 1;
-  Slice slice;                        ///< the table's rows are those; every rank has the same
-  std::uint32_t physics_version = 0;  ///< of a table that was read; the writer writes the program's own
-  std::string build;                  ///< likewise, as build_name()
-};
 
 /// Writes the table collectively: every rank of `comm` brings its contiguous block of rows, `first` being the place in
 /// the table of the block's first row (blocks may be empty; together they make up `total_rows` rows, in spec order; of

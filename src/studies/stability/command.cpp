@@ -6,12 +6,12 @@
 #include <filesystem>
 
 #include "base/exit_codes.hpp"
-#include "engine/ledger/stored_sweep.hpp"
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "store/stored/stored_sweep.hpp"
 #include "studies/stability/map.hpp"
 #include "studies/stability/plot.hpp"
 #include "studies/stability/text.hpp"
@@ -45,7 +45,7 @@ int stability_study(World& world, const StabilityOptions& options) {
   if (ran != success && ran != some_rows_failed) return ran;
   return run_on_root(world, [&] {
     const std::string table = options.run.output.empty() ? default_table(options.run.spec) : options.run.output;
-    const StoredSweep stored = read_stored_sweep(table);
+    const StoredSweep stored = read_finished_sweep(table);
     const auto& rows = stored.table.rows;
     const PlotSpec map = stability_plot(stored.sweep->plots());
     fmt::print("{}", stability_text(rows, map, stored.sweep->axes()));

@@ -19,7 +19,7 @@ using samples::put_bytes;
 using samples::row;
 
 constexpr JournalIdentity identity{.spec_hash = 0x1234567890abcdef, .physics_version = 7, .rows = 5000};
-constexpr std::size_t header_size = 56;
+constexpr std::size_t head_size = 72;  // the header alone; the description of the sweep follows
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -27,10 +27,17 @@ class JournalTest : public testing::Test {
  protected:
   samples::Directory directory;
   std::string table = directory.file("t.h5"), path = directory.file("t.h5.journal");
+  const std::size_t header_size = size_without_records();  // description included
 
   void write(std::initializer_list<std::uint64_t> indices) {
     Journal journal(table, identity, true);
     for (const auto index : indices) journal.append(row(index));
+  }
+  std::size_t size_without_records() const {
+    Journal journal(table, identity, true);
+    const std::size_t size = bytes_of(path).size();
+    journal.remove();
+    return size;
   }
   std::size_t record_size() {
     write({0});
@@ -162,12 +169,24 @@ TEST_F(JournalTest, ARecordIsGoodOnlyAtItsOwnPlace) {
 TEST_F(JournalTest, AFlippedBitInTheHeaderStopsEverything) {
   write({20, 21});
   const std::string whole = bytes_of(path);
-  for (std::size_t bit = 0; bit < 8 * header_size; ++bit) {
+  for (std::size_t bit = 0; bit < 8 * head_size; ++bit) {
     std::string damaged = whole;
     damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
     put_bytes(path, damaged);
     ASSERT_THROW(Journal(table, identity, false), OutputError) << bit;
     ASSERT_EQ(bytes_of(path), damaged) << bit;
+  }
+}
+
+TEST_F(JournalTest, AFlippedBitInTheDescriptionIsMendedAndLosesNoRow) {
+  write({20, 21});
+  const std::string whole = bytes_of(path);
+  for (std::size_t bit = 8 * head_size; bit < 8 * header_size; bit += 7) {
+    std::string damaged = whole;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+    put_bytes(path, damaged);
+    ASSERT_EQ(Journal(table, identity, false).recovered().size(), 2u) << bit;
+    ASSERT_EQ(bytes_of(path), whole) << bit;
   }
 }
 

@@ -1,8 +1,9 @@
-#include "engine/ledger/stored_sweep.hpp"
+#include "store/stored/stored_sweep.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/base/errors.hpp"
@@ -13,20 +14,47 @@
 
 namespace sigmasweep {
 
-StoredSweep read_stored_sweep(const std::string& path) {
-  StoredSweep stored{read_table(path), std::nullopt};
+namespace {
+
+/// Adds the sweep to the rows, and to each row the parameters that it has from the spec.
+StoredSweep with_sweep(StoredRows rows_of_it, const std::string& path) {
+  StoredSweep stored{std::move(rows_of_it), std::nullopt};
+  const TableInfo& info = stored.table.info;
   try {
-    stored.sweep = Sweep::parse_stored(stored.table.info.spec_text, path);
+    stored.sweep = Sweep::parse_stored(info.spec_text, path);
   } catch (const SpecError&) {  // of another version: the table itself is still good
+    if (!stored.complete) throw IoError(fmt::format("{}.journal has a spec that this program cannot read", path));
     return stored;
   }
-  if (stored.sweep->hash() != stored.table.info.spec_hash)
+  if (stored.sweep->hash() != info.spec_hash)
     throw IoError(fmt::format("{}: its spec is not the one that it was made from", path));
-  auto& rows = stored.table.rows;
-  if (stored.table.info.slice.size(stored.sweep->size()) != rows.size())
+  if (info.slice.size(stored.sweep->size()) != stored.total)
     throw IoError(fmt::format("{}: its rows are not those of its spec", path));
+  auto& rows = stored.table.rows;
+  if (!stored.complete) {
+    stored.table.columns = stored.sweep->columns();
+    std::erase_if(rows, [&](const Row& row) {  // of a program whose parameters have other defaults
+      return content_key(row.parameters) != content_key(stored.sweep->at(row.index));
+    });
+  }
   for (Row& row : rows) row.parameters = stored.sweep->at(row.index);
   return stored;
+}
+
+}  // namespace
+
+StoredSweep read_stored_sweep(const std::string& path) { return with_sweep(read_stored_rows(path), path); }
+
+StoredSweep read_finished_sweep(const std::string& path) {
+  StoredRows stored;
+  stored.table = read_table(path);
+  stored.total = stored.table.rows.size();
+  return with_sweep(std::move(stored), path);
+}
+
+std::string incomplete_line(const StoredRows& stored, const std::string& path) {
+  if (stored.complete) return {};
+  return fmt::format("{} is not complete: {} of {} rows so far", path, stored.table.rows.size(), stored.total);
 }
 
 std::string why_not_ours(const StoredSweep& stored) {

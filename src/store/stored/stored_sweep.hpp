@@ -6,18 +6,24 @@
 #include <vector>
 
 #include "sigmasweep/sweep/sweep.hpp"
+#include "store/stored/stored_rows.hpp"
 #include "store/table/table.hpp"
 
 namespace sigmasweep {
 
-/// A table with the sweep that it came from.
-struct StoredSweep {
-  Table table;
-  std::optional<Sweep> sweep;  ///< not there if this program cannot read the table's spec any more
+/// The rows of a sweep, complete or not, with the sweep that they came from.
+struct StoredSweep : StoredRows {
+  std::optional<Sweep> sweep{};  ///< not there if this program cannot read the table's spec any more
 };
 
-/// Reads a table. Parameters that are no columns are filled in from its spec. Throws as read_table().
+/// Reads what is there of a sweep: its table, or its journal while it is not complete. Parameters that are no columns
+/// are filled in from the spec. Throws as read_stored_rows().
 StoredSweep read_stored_sweep(const std::string& path);
+/// The same for its table alone, whatever journal stands beside it. Throws as read_table().
+StoredSweep read_finished_sweep(const std::string& path);
+
+/// "beads.h5 is not complete: 71 of 800 rows so far"; empty if it is complete.
+std::string incomplete_line(const StoredRows& stored, const std::string& path);
 
 /// Why the rows of the table must not be mixed with rows of this program ("was computed by another ..."); empty if they
 /// may.

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/file.hpp"
+#include "sigmasweep/model/row.hpp"
+#include "store/journal/record.hpp"
+
+namespace sigmasweep {
+
+/// The rows of a journal.
+struct RecoveredRows {
+  std::vector<Row> rows;      ///< each index once (the last good record), in order of index
+  std::uint64_t records = 0;  ///< one past the last good record
+  std::uint64_t dropped = 0;  ///< damaged and torn records
+};
+
+/// Reads the records of a journal, a bounded number at a time. Another process may append at the same moment: a record
+/// that is not whole yet is passed over as a torn one. Throws IoError.
+RecoveredRows recover_rows(const File& file, const std::string& path, const JournalHeader& header);
+
+}  // namespace sigmasweep
