@@ -10,6 +10,7 @@
   X(plan) \
   X(one) \
   X(plot) \
+  X(status) \
   X(show) \
   X(export) \
   /* a line for each */

@@ -3,6 +3,7 @@
 #include "base/exit_codes.hpp"
 #include "engine/phases/compute.hpp"
 #include "engine/phases/limit_time.hpp"
+#include "engine/phases/note_run.hpp"
 #include "engine/phases/open.hpp"
 #include "engine/phases/phase.hpp"
 #include "engine/phases/record_trajectories.hpp"
@@ -19,7 +20,8 @@ int run_phases(const World& world, const RunOptions& options, const Reporter& re
   std::optional<Deadline> deadline = limit_time(world, open, options.max_seconds, stop, reporter);
   Computed computed;
   if (!open.table_is_complete) {
-    computed = compute_rows(world, open, deadline, stop, reporter);
+    NotedRun noted(world, open, reporter);
+    computed = compute_rows(world, open, noted.notes(), deadline, stop, reporter);
     if (!computed.is_complete) return exit_code::stopped;
     write_rows(world, open);
   }

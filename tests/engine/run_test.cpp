@@ -11,6 +11,7 @@
 #include "base/exit_codes.hpp"
 #include "engine/phases/compute.hpp"
 #include "engine/phases/limit_time.hpp"
+#include "engine/phases/note_run.hpp"
 #include "engine/phases/open.hpp"
 #include "engine/phases/record_trajectories.hpp"
 #include "engine/phases/report.hpp"
@@ -192,7 +193,9 @@ TEST_F(Run, HasPhasesThatAreValues) {
   EXPECT_EQ(deadline.has_value(), world().is_manager());
   EXPECT_FALSE(stop.made());
 
-  const Computed computed = compute_rows(world(), open, deadline, stop, report);
+  std::optional<NotedRun> noted(std::in_place, world(), open, report);
+  EXPECT_TRUE(fs::exists(path("table.h5.running")));
+  const Computed computed = compute_rows(world(), open, noted->notes(), deadline, stop, report);
   EXPECT_TRUE(computed.is_complete);
   EXPECT_EQ(computed.work.rows, world().is_manager() ? 6u : 0u);
   EXPECT_EQ(open.manager_rows().size(), world().is_manager() ? 6u : 0u);
@@ -200,6 +203,10 @@ TEST_F(Run, HasPhasesThatAreValues) {
 
   write_rows(world(), open);
   EXPECT_TRUE(fs::exists(options_.output));
+  noted.reset();
+  if (world().is_manager()) {
+    EXPECT_FALSE(fs::exists(path("table.h5.running")));
+  }
   EXPECT_TRUE(record_trajectories(world(), open, stop, report));
   EXPECT_EQ(report_rows(world(), open, computed, report), exit_code::success);
 }

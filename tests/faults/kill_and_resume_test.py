@@ -13,7 +13,6 @@ import pathlib
 import random
 import re
 import signal
-import struct
 import subprocess
 import time
 import unittest
@@ -38,18 +37,6 @@ def wait_until_gone(processes):
         if time.monotonic() > end:
             raise AssertionError("a rank outlives the others, or its mpirun")
         time.sleep(0.02)
-
-
-def in_flight(sweep):
-    """The run that died and the rows that were being computed, from table.h5.running: a line of 8 numbers with the
-    run's name and the number of ranks, then a line for each rank, which starts with its row + 1."""
-    try:
-        data = (sweep.path / "table.h5.running").read_bytes()
-    except FileNotFoundError:
-        return None, set()
-    numbers = struct.unpack(f"<{len(data) // 8}Q", data)
-    run, ranks = numbers[3:5]
-    return run, {row - 1 for row in numbers[8:8 * (1 + ranks):8] if row > 0}
 
 
 class Trial:
@@ -109,7 +96,7 @@ class Trial:
         self.hits.append("the table" if (sweep.path / "table.h5.part").exists() else
                          "rows" if len(left) > len(self.kept) else "the start")
         self.kept = left
-        run, rows = in_flight(sweep)
+        run, rows = sweep.in_flight()
         if len(rows) == 1:
             self.alone[run] = min(rows)
 

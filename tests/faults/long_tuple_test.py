@@ -3,7 +3,6 @@ tuple has killed its process."""
 
 import os
 import signal
-import struct
 import subprocess
 import time
 import unittest
@@ -35,25 +34,13 @@ def statuses(sweep):
         return [names[value] for value in table["results"]["status"]]
 
 
-def in_flight(sweep):
-    """The run's number, and rank by row, from the file beside the table: lines of 8 numbers of 8 bytes, the first for
-    the run, the others for a rank each."""
-    try:
-        data = (sweep.path / "table.h5.running").read_bytes()
-    except FileNotFoundError:
-        return None, {}
-    run, ranks = struct.unpack_from("<2Q", data, 24)
-    slots = [struct.unpack_from("<Q", data, 64 * (1 + rank))[0] for rank in range(ranks)]
-    return run, {slot - 1: rank for rank, slot in enumerate(slots) if slot}
-
-
 def start_long_rows(sweep, ranks, *options, rows=(LONG_ROW,)):
     """Starts a run and waits until these rows are being computed. Returns the process and the ranks of the rows."""
-    before, _ = in_flight(sweep)  # the notes of a run that died
+    before, _ = sweep.in_flight()  # the notes of a run that died
     process = sweep.start(ranks, *options)
     end = time.monotonic() + LIMIT
     while process.poll() is None and time.monotonic() < end:
-        run, rank_of = in_flight(sweep)
+        run, rank_of = sweep.in_flight()
         if run != before and all(row in rank_of for row in rows):
             return process, [rank_of[row] for row in rows]
         time.sleep(0.01)

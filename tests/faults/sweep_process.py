@@ -112,6 +112,17 @@ class Sweep:
             rows[struct.unpack_from("<Q", data, start)[0]] = struct.unpack_from("<d", data, start + size - 32)[0]
         return rows
 
+    def in_flight(self):
+        """The run's number, and rank by row that is being computed, from table.h5.running: pages, the first for the run,
+        the others for a rank each, which begins with its row + 1."""
+        try:
+            data = (self.path / "table.h5.running").read_bytes()
+        except FileNotFoundError:
+            return None, {}
+        run, ranks, page = struct.unpack_from("<3Q", data, 24)
+        slots = [struct.unpack_from("<Q", data, page * (1 + rank))[0] for rank in range(ranks)]
+        return run, {slot - 1: rank for rank, slot in enumerate(slots) if slot}
+
     def finish_keeping_rows(self):
         """Runs again to the end. Rows of the journal must not be computed again; returns them."""
         kept = self.journalled()

@@ -54,6 +54,8 @@ class Ledger {
   /// Enters a row that is not to be computed, as Status::quarantined. Throws IoError.
   void quarantine(const Tuple& tuple);
   void sync() { journal_.sync(); }
+  /// As Journal::sync_if_due().
+  void sync_if_due() { journal_.sync_if_due(); }
   /// Removes the journal, once the table is written and checked, or if the table was there already.
   void close() { journal_.remove(); }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -12,9 +11,8 @@
 #include "engine/phases/phase.hpp"
 #include "engine/report/progress.hpp"
 #include "engine/report/unstable_rows.hpp"
-#include "mpi/run_collective.hpp"
 #include "sigmasweep/solve/cost.hpp"
-#include "store/crash_notes.hpp"
+#include "store/run_notes/run_notes.hpp"
 #include "sweep/schedule.hpp"
 
 namespace sigmasweep {
@@ -29,31 +27,6 @@ bool manager_computes(const World& world, const Sweep& sweep) {
          (role == ManagerRole::automatic && world.size() < dedicated_manager_from);
 }
 
-/// Leaves out rows during which processes died. On the manager.
-void quarantine(OpenSweep& open, const SuspicionByRow& suspicion, const Reporter& reporter) {
-  constexpr std::uint64_t too_much = 4;  // two runs that died while they computed this row alone
-  for (const auto& [row, score] : suspicion) {
-    if (score < too_much || open.ledger->has(row)) continue;
-    open.ledger->quarantine({row, open.sweep.at(row)});
-    reporter.say(fmt::format("row {} is left out, processes died while they computed it (--retry tries again)", row));
-  }
-}
-
-/// From here on the next run can know which rows this one dies of.
-void begin_notes(const World& world, OpenSweep& open, std::optional<CrashNotes>& notes, const Reporter& reporter) {
-  CrashNotesIdentity identity{open.sweep.hash(), open.sweep.size(), std::random_device{}()};
-  identity.run = static_cast<std::uint64_t>(world.broadcast(static_cast<std::int64_t>(identity.run)));
-  on_manager(world, [&] {
-    quarantine(open, begin_crash_notes(open.table, identity, world.size(), open.fresh || open.retry), reporter);
-  });
-  on_all_ranks(world, [&] {
-    run_collective(world.comm(), [&] {
-      notes.emplace(open.table, identity, world.rank());
-      return std::uint64_t{0};
-    });
-  });
-}
-
 /// Predicts the cost of each missing row, once. On the manager.
 Schedule schedule_of(const Ledger& ledger, const Sweep& sweep, int ranks) {
   auto rows = ledger.missing();
@@ -66,8 +39,8 @@ Schedule schedule_of(const Ledger& ledger, const Sweep& sweep, int ranks) {
 /// Takes in the rows that come from the workers. On the manager.
 class RowIntake {
  public:
-  RowIntake(Ledger& ledger, Deadline* deadline, Progress progress)
-      : ledger_(ledger), deadline_(deadline), progress_(std::move(progress)) {}
+  RowIntake(Ledger& ledger, Deadline* deadline, Progress progress, RunNotes& notes)
+      : ledger_(ledger), deadline_(deadline), progress_(std::move(progress)), notes_(notes) {}
 
   /// Does not throw: what goes wrong with the journal ends the run, and is thrown by finish().
   void take(const Row& row) {
@@ -82,15 +55,20 @@ class RowIntake {
     }
   }
 
-  /// Whether the run cannot go on. Lets the progress bar see the time.
+  /// Whether the run cannot go on. Lets the progress bar, the notes and the journal see the time.
   bool poll() {
     progress_.add(0, 0.0);
+    notes_.tell(progress_.now());
+    try {
+      if (!error_) ledger_.sync_if_due();
+    } catch (...) {
+      error_ = std::current_exception();
+    }
     return error_ != nullptr;
   }
 
-  void finish(const std::string& table) {
+  void finish() {
     progress_.finish();
-    end_crash_notes(table, ledger_.is_complete());
     if (error_) std::rethrow_exception(error_);
     ledger_.sync();
   }
@@ -101,11 +79,12 @@ class RowIntake {
   Ledger& ledger_;
   Deadline* deadline_;
   Progress progress_;
+  RunNotes& notes_;
   Work work_;
   std::exception_ptr error_;
 };
 
-Job<SweepTask, Row> sweep_job(const World& world, const Sweep& sweep, CrashNotes& notes, const StopRequest& stop,
+Job<SweepTask, Row> sweep_job(const World& world, const Sweep& sweep, RunNotes& notes, const StopRequest& stop,
                               std::optional<RowIntake>& intake) {
   Job<SweepTask, Row> job;
   job.task = [&](std::uint64_t row, double predicted_seconds) {
@@ -129,26 +108,26 @@ Job<SweepTask, Row> sweep_job(const World& world, const Sweep& sweep, CrashNotes
 
 }  // namespace
 
-Computed compute_rows(const World& world, OpenSweep& open, std::optional<Deadline>& deadline, const StopRequest& stop,
-                      const Reporter& reporter) {
-  std::optional<CrashNotes> notes;
-  begin_notes(world, open, notes, reporter);
+Computed compute_rows(const World& world, OpenSweep& open, RunNotes& notes, std::optional<Deadline>& deadline,
+                      const StopRequest& stop, const Reporter& reporter) {
   std::optional<Schedule> schedule;
   std::optional<RowIntake> intake;
-  Job<SweepTask, Row> job = sweep_job(world, open.sweep, *notes, stop, intake);
+  Job<SweepTask, Row> job = sweep_job(world, open.sweep, notes, stop, intake);
   if (deadline) job.max_seconds = [&] { return deadline->max_seconds(); };
   on_manager(world, [&] {
+    const std::uint64_t missing = open.rows() - open.ledger->kept();
+    announce(reporter, missing, world.size());
     if (const std::string warning = stability_warning(open.sweep); !warning.empty()) reporter.say(warning);
     schedule.emplace(schedule_of(*open.ledger, open.sweep, job.manager_computes ? world.size() : world.size() - 1));
     intake.emplace(*open.ledger, deadline ? &*deadline : nullptr,
-                   Progress(open.rows() - open.ledger->kept(), schedule->total_seconds(), world.size(), reporter));
+                   Progress(missing, schedule->total_seconds(), reporter), notes);
   });
   const auto start = std::chrono::steady_clock::now();
   distribute(world, schedule ? &*schedule : nullptr, job);
   Computed computed;
   computed.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   on_manager(world, [&] {
-    intake->finish(open.table);
+    intake->finish();
     computed.work = intake->work();
     computed.is_complete = open.ledger->is_complete();
     if (computed.is_complete) return;

@@ -6,6 +6,7 @@
 #include "engine/report/summary.hpp"
 #include "engine/stop/deadline.hpp"
 #include "engine/stop/stop.hpp"
+#include "store/run_notes/run_notes.hpp"
 
 namespace sigmasweep {
 
@@ -16,12 +17,10 @@ struct Computed {
   double wall_seconds = 0.0;  ///< time that the computing took
 };
 
-/// Third phase: computes the rows that are missing, on all ranks; each goes to the ledger of `open` as it comes in.
-/// Ends early when `stop` says so on any rank, and begins no row that is not expected to end before `deadline`.
-///
-/// Rows during which processes died in earlier runs are quarantined instead. Crash notes tell the next run what this
-/// one dies of. Throws OutputError and IoError.
-Computed compute_rows(const World& world, OpenSweep& open, std::optional<Deadline>& deadline, const StopRequest& stop,
-                      const Reporter& reporter);
+/// Fourth phase: computes the rows that are missing, on all ranks; each goes to the ledger of `open` as it comes in.
+/// Ends early when `stop` says so on any rank, and begins no row that is not expected to end before `deadline`. Each
+/// rank tells in its `notes` what it does. Throws OutputError and IoError.
+Computed compute_rows(const World& world, OpenSweep& open, RunNotes& notes, std::optional<Deadline>& deadline,
+                      const StopRequest& stop, const Reporter& reporter);
 
 }  // namespace sigmasweep

@@ -1,7 +1,6 @@
 #include "engine/report/reporter.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <utility>
@@ -17,10 +16,10 @@ void print_on_stderr(std::string_view text) {
 
 }  // namespace
 
-Reporter::Reporter(std::function<void(std::string_view)> print, bool quiet, bool is_terminal)
-    : print_(std::move(print)), quiet_(quiet), terminal_(is_terminal) {}
+Reporter::Reporter(std::function<void(std::string_view)> print, bool quiet, std::optional<Terminal> terminal)
+    : print_(std::move(print)), quiet_(quiet), terminal_(terminal) {}
 
-Reporter Reporter::on_stderr(bool quiet) { return Reporter(print_on_stderr, quiet, isatty(STDERR_FILENO) == 1); }
+Reporter Reporter::on_stderr(bool quiet) { return Reporter(print_on_stderr, quiet, terminal_of_stderr()); }
 
 void Reporter::say(std::string_view message) const {
   if (!quiet_) warn(message);

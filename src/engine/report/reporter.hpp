@@ -1,16 +1,19 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "base/terminal.hpp"
 
 namespace sigmasweep {
 
 /// Where a run tells its user what it does. The libraries print through this object only.
 class Reporter {
  public:
-  /// `print` must not throw. With `quiet` only warnings are printed. `is_terminal`: whether a line may be redrawn.
-  Reporter(std::function<void(std::string_view)> print, bool quiet, bool is_terminal = false);
+  /// `print` must not throw. With `quiet` only warnings are printed. On a `terminal` a line may be redrawn.
+  Reporter(std::function<void(std::string_view)> print, bool quiet, std::optional<Terminal> terminal = {});
   static Reporter on_stderr(bool quiet);
 
   /// Prints "sigmasweep: MESSAGE" and ends the line, unless quiet.
@@ -20,11 +23,13 @@ class Reporter {
   /// Prints the text as it is, unless quiet.
   void show(std::string_view text) const;
   bool is_quiet() const { return quiet_; }
-  bool is_terminal() const { return terminal_; }
+  bool is_terminal() const { return terminal_.has_value(); }
+  int columns() const { return terminal_.value_or(Terminal{}).columns; }
 
  private:
   std::function<void(std::string_view)> print_;
-  bool quiet_, terminal_;
+  bool quiet_;
+  std::optional<Terminal> terminal_;
 };
 
 }  // namespace sigmasweep

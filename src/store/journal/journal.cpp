@@ -181,6 +181,10 @@ void Journal::sync() {
   j.last_sync = Clock::now();
 }
 
+void Journal::sync_if_due() {
+  if (impl_->unsynced != 0 && impl_->failure.empty() && Clock::now() - impl_->last_sync >= time_per_sync) sync();
+}
+
 void Journal::remove() {
   Impl& j = *impl_;
   j.failure = fmt::format("{} was removed", j.path);

@@ -64,6 +64,9 @@ class Journal {
   void append(const Row& row);
   /// Brings all appended rows to the disk. Throws IoError.
   void sync();
+  /// The same a second after the last sync, for rows after which none has come. Until then other machines may not see
+  /// them.
+  void sync_if_due();
   /// Removes the journal, once the table is complete and checked. Nothing can be appended afterwards; the lock stays.
   void remove();
 

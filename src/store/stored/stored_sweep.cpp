@@ -74,13 +74,19 @@ std::string why_other_build(const TableInfo& info) {
   return "was computed by another build of the program, whose last digits may differ";
 }
 
-std::string rows_by_status(std::span<const Row> rows) {
+std::vector<std::pair<std::string_view, std::uint64_t>> count_by_status(std::span<const Row> rows) {
   const auto names = names_of<Status>();
-  std::vector<std::uint64_t> counts(names.size());
-  for (const Row& row : rows) ++counts.at(static_cast<std::size_t>(row.result.status));
+  std::vector<std::pair<std::string_view, std::uint64_t>> counts;
+  for (const std::string_view name : names) counts.emplace_back(name, 0);
+  for (const Row& row : rows) ++counts.at(static_cast<std::size_t>(row.result.status)).second;
+  std::erase_if(counts, [](const auto& count) { return count.second == 0; });
+  return counts;
+}
+
+std::string rows_by_status(std::span<const Row> rows) {
   std::string text;
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    if (counts[i] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", names[i], counts[i]);
+  for (const auto& [name, count] : count_by_status(rows))
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count);
   return text;
 }
 

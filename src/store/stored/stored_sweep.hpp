@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sigmasweep/sweep/sweep.hpp"
@@ -32,6 +35,8 @@ std::string why_not_ours(const StoredSweep& stored);
 std::string why_other_physics(const TableInfo& info);
 std::string why_other_build(const TableInfo& info);
 
+/// How many rows have each status, of those that occur, in the order of their numbers.
+std::vector<std::pair<std::string_view, std::uint64_t>> count_by_status(std::span<const Row> rows);
 /// "ok 2005, time_limit 5".
 std::string rows_by_status(std::span<const Row> rows);
 

@@ -91,9 +91,11 @@ std::vector<PrecisionRow> measure(const World& world, const Sweep& sweep, const 
   std::optional<Schedule> schedule;
   std::optional<Progress> progress;
   if (world.is_manager()) {
+    const Reporter reporter = Reporter::on_stderr(quiet);
+    announce(reporter, sweep.size(), world.size());
     predicted = predicted_times(sweep, study);
     schedule.emplace(schedule_of(predicted, world.size()));
-    progress.emplace(sweep.size(), schedule->total_seconds(), world.size(), Reporter::on_stderr(quiet));
+    progress.emplace(sweep.size(), schedule->total_seconds(), reporter);
   }
   std::vector<PrecisionRow> all;
   std::set<std::uint64_t> done;

@@ -1,0 +1,44 @@
+#include "engine/phases/note_run.hpp"
+
+#include <fmt/format.h>
+
+#include <random>
+
+#include "engine/phases/phase.hpp"
+#include "mpi/run_collective.hpp"
+
+namespace sigmasweep {
+namespace {
+
+/// Leaves out rows during which processes died. On the manager.
+void quarantine(OpenSweep& open, const SuspicionByRow& suspicion, const Reporter& reporter) {
+  constexpr std::uint64_t too_much = 4;  // two runs that died while they computed this row alone
+  for (const auto& [row, score] : suspicion) {
+    if (score < too_much || open.ledger->has(row)) continue;
+    open.ledger->quarantine({row, open.sweep.at(row)});
+    reporter.say(fmt::format("row {} is left out, processes died while they computed it (--retry tries again)", row));
+  }
+}
+
+}  // namespace
+
+NotedRun::NotedRun(const World& world, OpenSweep& open, const Reporter& reporter)
+    : open_(open), is_manager_(world.is_manager()) {
+  RunNotesIdentity identity{open.sweep.hash(), open.sweep.size(), std::random_device{}()};
+  identity.run = static_cast<std::uint64_t>(world.broadcast(static_cast<std::int64_t>(identity.run)));
+  on_manager(world, [&] {
+    quarantine(open, begin_run_notes(open.table, identity, world.size(), open.fresh || open.retry), reporter);
+  });
+  on_all_ranks(world, [&] {
+    run_collective(world.comm(), [&] {
+      notes_.emplace(open.table, identity, world.rank());
+      return std::uint64_t{0};
+    });
+  });
+}
+
+NotedRun::~NotedRun() {
+  if (is_manager_) end_run_notes(open_.table, open_.ledger->is_complete());
+}
+
+}  // namespace sigmasweep
