@@ -11,8 +11,10 @@
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/geometry.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/result.hpp"
+#include "support/parameters.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -40,27 +42,19 @@ TEST(Complete, NoGapIsSigmaZeroEvenWhereTheUnitOfLengthUnderflows) {
   EXPECT_EQ(why_invalid(complete(p, GapParameter::s0)), "");
 }
 
-Parameters vibrated(double alpha, double A0) {
-  Parameters p;
-  p.geometry = Geometry::vibrated_column;
-  p.alpha = alpha;
-  p.A0 = A0;
-  return complete(p, GapParameter::s0);
-}
-
 /// Fig. 5's plate: 1.24 mm at 20 Hz; its acceleration over g worked out elsewhere
 TEST(Complete, FillsInThePlate) {
-  EXPECT_NEAR(vibrated(0.0, 1.24e-3).alpha, 1.9960545496188875, 1e-14);  // a few roundings
-  EXPECT_NEAR(vibrated(4.0, 0.0).A0, 2.484902028828334e-3, 1e-15);
-  EXPECT_EQ(vibrated(0.0, 1.24e-3).A0, 1.24e-3);
-  EXPECT_EQ(vibrated(4.0, 0.0).alpha, 4.0);
-  EXPECT_NEAR(vibrated(3.0, 1.24e-3).alpha, 1.9960545496188875, 1e-14);     // A0 counts
-  EXPECT_EQ(complete(Parameters{.alpha = 4.0}, GapParameter::s0).A0, 0.0);  // no plate
+  EXPECT_NEAR(vibrated_column({.A0 = 1.24e-3}).alpha, 1.9960545496188875, 1e-14);  // a few roundings
+  EXPECT_NEAR(vibrated_column({.alpha = 4.0}).A0, 2.484902028828334e-3, 1e-15);
+  EXPECT_EQ(vibrated_column({.A0 = 1.24e-3}).A0, 1.24e-3);
+  EXPECT_EQ(vibrated_column({.alpha = 4.0}).alpha, 4.0);
+  EXPECT_NEAR(vibrated_column({.alpha = 3.0, .A0 = 1.24e-3}).alpha, 1.9960545496188875, 1e-14);  // A0 counts
+  EXPECT_EQ(complete(Parameters{.alpha = 4.0}, GapParameter::s0).A0, 0.0);                       // no plate
 }
 
 TEST(Complete, LeavesACompletePlateAlone) {
   for (int k = 1; k <= 1000; ++k) {
-    const Parameters from_alpha = vibrated(0.01 * k, 0.0), from_A0 = vibrated(0.0, 1.7e-5 * k);
+    const Parameters from_alpha = vibrated_column({.alpha = 0.01 * k}), from_A0 = vibrated_column({.A0 = 1.7e-5 * k});
     for (const Parameters& p : {from_alpha, from_A0}) {
       EXPECT_EQ(complete(p, GapParameter::s0).alpha, p.alpha);
       EXPECT_EQ(complete(p, GapParameter::s0).A0, p.A0);
@@ -76,18 +70,10 @@ TEST(Complete, AVibratedColumnHasNoSigma) {
   EXPECT_EQ(complete(p, GapParameter::sigma).sigma, 0.0);
 }
 
-Parameters lattice(std::int64_t rows, std::int64_t columns) {
-  Parameters p;
-  p.geometry = Geometry::lattice;
-  p.rows = rows;
-  p.columns = columns;
-  return complete(p, GapParameter::s0);
-}
-
 TEST(Complete, CountsTheBeadsOfALattice) {
-  EXPECT_EQ(lattice(10, 13).N, 130);
-  EXPECT_EQ(lattice(1, 1).N, 1);
-  Parameters p = lattice(3, 5);
+  EXPECT_EQ(lattice({.rows = 10, .columns = 13}).N, 130);
+  EXPECT_EQ(lattice({.rows = 1, .columns = 1}).N, 1);
+  Parameters p = lattice({.rows = 3, .columns = 5});
   p.geometry = Geometry::vibrated_lattice;
   p.rows = 7;
   derive_beads(p);
@@ -98,9 +84,9 @@ TEST(Complete, CountsTheBeadsOfALattice) {
 }
 
 TEST(WhyInvalid, LooksAtTheSizeOfLatticesOnly) {
-  EXPECT_EQ(why_invalid(lattice(1000, 1000)), "");
+  EXPECT_EQ(why_invalid(lattice({.rows = 1000, .columns = 1000})), "");
   const auto why = [](auto change) {
-    Parameters p = lattice(10, 13);
+    Parameters p = lattice({.rows = 10, .columns = 13});
     change(p);
     const std::string message = why_invalid(p);
     p.geometry = Geometry::column;
@@ -118,14 +104,14 @@ TEST(WhyInvalid, LooksAtTheSizeOfLatticesOnly) {
   EXPECT_EQ(why([](Parameters& p) { p.D_t = nan; }), "D_t = nan");
   EXPECT_EQ(why([](Parameters& p) { p.D_t = infinity; }), "D_t = inf");
   EXPECT_EQ(why([](Parameters& p) { p.method = Method::ed; }), "method = 'ed'");
-  Parameters many = lattice(1001, 1000);
+  Parameters many = lattice({.rows = 1001, .columns = 1000});
   EXPECT_NE(why_invalid(many).find("1000000 beads are the most"), std::string::npos);
   many.geometry = Geometry::vibrated_lattice;
   EXPECT_NE(why_invalid(many).find("1000000 beads are the most"), std::string::npos);
 }
 
 TEST(PlateHeight, IsEquation1AndKeepsThePhase) {
-  const Parameters p = vibrated(0.0, 1.24e-3);
+  const Parameters p = vibrated_column({.A0 = 1.24e-3});
   EXPECT_EQ(plate_height(p, 0.0), 0.0);
   EXPECT_NEAR(plate_height(p, 0.0125), 1.24e-3, 1e-17);  // a quarter of a period
   EXPECT_NEAR(plate_height(p, 0.0375), -1.24e-3, 1e-17);
@@ -133,9 +119,9 @@ TEST(PlateHeight, IsEquation1AndKeepsThePhase) {
 }
 
 TEST(WhyInvalid, LooksAtThePlateOfVibratedColumnsOnly) {
-  EXPECT_EQ(why_invalid(vibrated(2.0, 0.0)), "");
+  EXPECT_EQ(why_invalid(vibrated_column({.alpha = 2.0})), "");
   const auto why = [](auto change) {
-    Parameters p = vibrated(2.0, 0.0);
+    Parameters p = vibrated_column({.alpha = 2.0});
     change(p);
     const std::string message = why_invalid(p);
     p.geometry = Geometry::column;

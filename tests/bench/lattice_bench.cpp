@@ -7,27 +7,20 @@
 #include <cstdint>
 
 #include "assembly/lattice.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/lattice/collision.hpp"
 #include "solve/fixed_step/lattice/collision.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
 using namespace sigmasweep;
 
 Parameters scene(std::int64_t rows, std::int64_t columns, double sigma) {
-  Parameters p;
-  p.geometry = Geometry::lattice;
-  p.rows = rows;
-  p.columns = columns;
-  p.epsilon = 0.9;
-  p.v0 = 0.05;
-  p.tc = 2e-5;  // d = 1000 v0 tc
-  p.sigma = sigma;
+  Parameters p = lattice_of_discs(rows, columns, 0.9, sigma);
   p.random_separation = Flag::yes;
-  return complete(p, GapParameter::sigma);
+  return p;
 }
 
 void count(benchmark::State& state, std::uint64_t contacts, double contact_time = 0.0) {
@@ -57,18 +50,17 @@ void by_fixed_steps(benchmark::State& state, std::int64_t rows, std::int64_t col
 
 /// Periods of a vibrated container, 5 rows of 8 beads.
 void vibrated(benchmark::State& state, double tc, Integrator integrator) {
-  Parameters p = scene(5, 8, 0.0);
-  p.geometry = Geometry::vibrated_lattice;
-  p.side_walls = SideWalls::fixed;
-  p.epsilon = 0.8;
-  p.alpha = 3.0;
-  p.s0 = 1e-5;
-  p.v0 = 1.0;
-  p.tc = tc;
-  p.periods = 4;
-  p.transient = 0;
-  p.integrator = integrator;
-  p = complete(p, GapParameter::s0);
+  const Parameters p = vibrated_lattice({.tc = tc,
+                                         .s0 = 1e-5,
+                                         .epsilon = 0.8,
+                                         .alpha = 3.0,
+                                         .periods = 4,
+                                         .transient = 0,
+                                         .rows = 5,
+                                         .columns = 8,
+                                         .integrator = integrator,
+                                         .side_walls = SideWalls::fixed,
+                                         .random_separation = Flag::yes});
   std::uint64_t contacts = 0;
   for (auto _ : state) contacts = simulate(p).contacts;
   count(state, contacts);

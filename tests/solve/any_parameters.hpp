@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/parameters.hpp"
 

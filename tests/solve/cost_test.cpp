@@ -5,22 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "sigmasweep/model/names.hpp"
+#include "support/parameters.hpp"
 
 using namespace sigmasweep;
-
-namespace {
-
-Parameters with(std::int64_t N, double sigma, Method method, Integrator integrator, double steps = 100.0) {
-  Parameters p;
-  p.N = N;
-  p.sigma = sigma;
-  p.method = method;
-  p.integrator = integrator;
-  p.steps_per_tc = steps;
-  return p;
-}
-
-}  // namespace
 
 TEST(Cost, IsPositiveAndFiniteAtTheExtremes) {
   for (const auto method : {Method::md, Method::ed})
@@ -28,9 +15,12 @@ TEST(Cost, IsPositiveAndFiniteAtTheExtremes) {
       for (const std::int64_t N : {std::int64_t{1}, std::int64_t{1000000}})
         for (const double sigma : {0.0, 5e-324, 1.0, 1.7976931348623157e308})
           for (const double epsilon : {5e-324, 1.0}) {
-            Parameters p = with(N, sigma, method, integrator, 1e6);
-            p.epsilon = epsilon;
-            const double time = predicted_time(p);
+            const double time = predicted_time(completed({.sigma = sigma,
+                                                          .epsilon = epsilon,
+                                                          .steps_per_tc = 1e6,
+                                                          .N = N,
+                                                          .method = method,
+                                                          .integrator = integrator}));
             EXPECT_TRUE(std::isfinite(time) && time > 0.0) << time;
           }
 }
@@ -40,25 +30,26 @@ TEST(Cost, GrowsWithBeadsAndSteps) {
     for (const double sigma : {0.0, 0.3, 3.0, 1e4}) {
       double before = 0.0;
       for (std::int64_t N = 1; N <= 1000000; N *= 3) {
-        const double time = predicted_time(with(N, sigma, Method::md, integrator));
+        const double time = predicted_time(soft_column({.sigma = sigma, .N = N, .integrator = integrator}));
         EXPECT_GT(time, before) << N;
         before = time;
       }
     }
-  EXPECT_GT(predicted_time(with(10, 1.0, Method::md, Integrator::gear5, 200)),
-            predicted_time(with(10, 1.0, Method::md, Integrator::gear5, 100)));
-  EXPECT_GT(predicted_time(with(20, 1.0, Method::ed, Integrator::exact)),
-            predicted_time(with(10, 1.0, Method::ed, Integrator::exact)));
+  const auto with_steps = [](double steps_per_tc) {
+    return soft_column({.sigma = 1.0, .steps_per_tc = steps_per_tc, .N = 10, .integrator = Integrator::gear5});
+  };
+  EXPECT_GT(predicted_time(with_steps(200.0)), predicted_time(with_steps(100.0)));
+  EXPECT_GT(predicted_time(hard_column({.sigma = 1.0, .N = 20})), predicted_time(hard_column({.sigma = 1.0, .N = 10})));
 }
 
 TEST(Cost, GrowsWithWhatIsHarder) {
-  const Parameters plain = with(10, 1.0, Method::md, Integrator::exact);
+  const Parameters plain = soft_column({.sigma = 1.0, .N = 10});
   Parameters nonlinear = plain, uneven = plain;
   nonlinear.law = Law::hertz;
   uneven.width = 1e-4;
   EXPECT_GT(predicted_time(nonlinear), predicted_time(plain));
   EXPECT_GT(predicted_time(uneven), predicted_time(plain));
-  const Parameters hard = with(10, 1.0, Method::ed, Integrator::exact);
+  const Parameters hard = hard_column({.sigma = 1.0, .N = 10});
   Parameters tc_rule = hard, hard_hertz = hard;
   tc_rule.ed_rule = EdRule::tc;
   hard_hertz.law = Law::hertz;
@@ -67,7 +58,7 @@ TEST(Cost, GrowsWithWhatIsHarder) {
 }
 
 TEST(Cost, OfRowsThatAreNoneIsANumberToo) {
-  Parameters p = with(10, std::nan(""), Method::md, Integrator::exact);
-  p.epsilon = std::nan("");
+  Parameters p = soft_column({.N = 10});
+  p.sigma = p.epsilon = std::nan("");
   EXPECT_TRUE(std::isfinite(predicted_time(p)));
 }

@@ -32,6 +32,15 @@ inline Parameters lattice(Parameters given) {
   return completed(given);
 }
 
+/// A lattice of discs whose diameter is given in units of v0 tc: how far it exceeds overlaps, and so how much a
+/// direction changes meanwhile.
+inline Parameters lattice_of_discs(std::int64_t rows, std::int64_t columns, double epsilon, double sigma,
+                                   double d = 1000.0) {
+  constexpr double v0 = 0.05, tc = 2e-5;
+  return lattice(
+      {.v0 = v0, .tc = tc, .sigma = sigma, .epsilon = epsilon, .d = d * v0 * tc, .rows = rows, .columns = columns});
+}
+
 inline Parameters vibrated_lattice(Parameters given) {
   given.geometry = Geometry::vibrated_lattice;
   return completed(given);

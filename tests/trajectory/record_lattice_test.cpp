@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "assembly/ground.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
+#include "support/parameters.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -17,25 +17,25 @@ namespace {
 constexpr double v0 = 0.5, tc = 2e-5, d = 1e-3;
 
 /// 4 rows of 3; v0 tc = 1e-5 m.
-Parameters lattice(double sigma, SideWalls side_walls = SideWalls::periodic, double D_t = 0.0) {
-  Parameters p{.v0 = v0, .tc = tc, .sigma = sigma, .epsilon = 0.9};
-  p.geometry = Geometry::lattice;
-  p.rows = 4;
-  p.columns = 3;
-  p.d = d;
-  p.D_t = D_t;
-  p.side_walls = side_walls;
-  p.seed = 5;
-  p.random_separation = sigma > 0.0 ? Flag::yes : Flag::no;
-  derive_beads(p);
-  return complete(p, GapParameter::sigma);
+Parameters four_rows(double sigma, SideWalls side_walls = SideWalls::periodic, double D_t = 0.0) {
+  return lattice({.v0 = v0,
+                  .tc = tc,
+                  .sigma = sigma,
+                  .epsilon = 0.9,
+                  .d = d,
+                  .D_t = D_t,
+                  .rows = 4,
+                  .columns = 3,
+                  .seed = 5,
+                  .side_walls = side_walls,
+                  .random_separation = sigma > 0.0 ? Flag::yes : Flag::no});
 }
 
 std::vector<Parameters> all_kinds() {
   std::vector<Parameters> all;
   for (const double sigma : {0.0, 0.3, 3.0})
     for (const SideWalls side_walls : {SideWalls::periodic, SideWalls::fixed})
-      for (const double D_t : {0.0, 2000.0}) all.push_back(lattice(sigma, side_walls, D_t));
+      for (const double D_t : {0.0, 2000.0}) all.push_back(four_rows(sigma, side_walls, D_t));
   all[5].width = 1e-4;
   return all;
 }
@@ -81,7 +81,7 @@ double elastic(const Trajectory& t, std::size_t sample) {
 
 TEST(LatticeTrajectory, StartsAsGiven) {
   for (const SideWalls side_walls : {SideWalls::periodic, SideWalls::fixed}) {
-    Parameters p = lattice(0.3, side_walls);
+    Parameters p = four_rows(0.3, side_walls);
     p.random_separation = Flag::no;
     const double a = d + p.s0;
     const Trajectory t = filmed(p, 1e-7, 2);
@@ -227,7 +227,7 @@ TEST(LatticeTrajectory, FixedStepsComeCloseToTheExactOne) {
   for (const Integrator integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog})
     for (const double sigma : {0.0, 0.3}) {
       const double duration = 10 * tc;
-      Parameters p = lattice(sigma);
+      Parameters p = four_rows(sigma);
       const Trajectory exact = filmed(p, duration, 101);
       p.integrator = integrator;
       p.steps_per_tc = 1000;
@@ -241,7 +241,7 @@ TEST(LatticeTrajectory, FixedStepsComeCloseToTheExactOne) {
 }
 
 TEST(LatticeTrajectory, ShowTime) {
-  const Parameters p = lattice(3.0);
+  const Parameters p = four_rows(3.0);
   SimulationResult c;
   EXPECT_TRUE(std::isnan(show_time(p, c)));
   c.t_k = 5 * tc;
@@ -252,14 +252,14 @@ TEST(LatticeTrajectory, ShowTime) {
 
 /// In the room: the beads start with the plate's speed, and their mean height is that of the table.
 TEST(LatticeTrajectory, OfAVibratedLattice) {
-  Parameters p = lattice(0.1);
-  p.geometry = Geometry::vibrated_lattice;
+  Parameters p = four_rows(0.1);
   p.tc = 5e-4;
   p.frequency = 20.0;
   p.alpha = 2.0;
   p.periods = 1;
   p.transient = 0;
-  p = complete(p, GapParameter::s0);
+  p.sigma = 0.0;  // of no meaning there
+  p = vibrated_lattice(p);
   const SimulationResult c = simulate(p);
   ASSERT_EQ(c.status, Status::ok);
   std::vector<double> times{0.0};  // and the moments of the averages

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <vector>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
+#include "support/parameters.hpp"
 
 /// Soft beads on a vibrated plate, under the linear law.
 namespace sigmasweep {
@@ -16,15 +16,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Parameters vibrated(std::int64_t N, double epsilon, double tc, double alpha, double frequency = 20.0) {
-  Parameters p;
-  p.geometry = Geometry::vibrated_column;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.tc = tc;
-  p.frequency = frequency;
-  p.alpha = alpha;
-  p.A0 = alpha * p.gravity / std::pow(2.0 * pi * frequency, 2);
-  return p;
+  return vibrated_column({.tc = tc, .epsilon = epsilon, .frequency = frequency, .alpha = alpha, .N = N});
 }
 
 /// A second opinion that knows neither modes nor series nor the frame of the plate: positions in the room, classical
@@ -132,7 +124,7 @@ TEST(VibratedSoftSpheres, MovesAsAPlainProgramSays) {
     SCOPED_TRACE(testing::Message() << "N = " << c.N << ", epsilon = " << c.epsilon << ", tc = " << c.tc);
     Parameters p = vibrated(c.N, c.epsilon, c.tc, c.alpha);
     p.s0 = c.s0;
-    p = complete(p, GapParameter::s0);
+    p = vibrated_column(p);
     const std::vector<double> times = sample_times(c.periods / p.frequency, 41);
     const Trajectory ours = record(p, times);
     PlainColumn plain(p);

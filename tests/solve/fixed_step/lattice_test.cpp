@@ -15,6 +15,7 @@
 #include "solve/fixed_step/lattice/collision.hpp"
 #include "solve/fixed_step/lattice/observed_collision.hpp"
 #include "solve/observer/lattice_samples.hpp"
+#include "support/parameters.hpp"
 
 /// Lattices of discs by the methods of fixed step, against an independent program (classical Runge-Kutta in the room's
 /// coordinates, DOP853, and an exact reduction to a chain of rows).
@@ -22,20 +23,6 @@ namespace sigmasweep {
 namespace {
 
 constexpr std::array schemes{Integrator::gear5, Integrator::verlet, Integrator::rk4, Integrator::leapfrog};
-
-/// d/(v0 tc) as the reference program has it.
-Parameters parameters(std::int64_t rows, std::int64_t columns, double epsilon, double sigma, double d = 1000.0) {
-  Parameters p;
-  p.geometry = Geometry::lattice;
-  p.rows = rows;
-  p.columns = columns;
-  p.N = rows * columns;
-  p.epsilon = epsilon;
-  p.sigma = sigma;
-  p.s0 = sigma * p.v0 * p.tc;
-  p.d = d * p.v0 * p.tc;
-  return p;
-}
 
 /// D_t in units of D_n.
 Lattice<double> lattice_of(const Parameters& p, double D_t = 0.0) {
@@ -69,7 +56,7 @@ constexpr std::array rubbing{Touching{10, 0.9, 0.5, 0.9649596618, {0.0, 0.0, 0.9
 
 TEST(LatticeFixedStep, RungeKuttaTakesTheStepsOfAnIndependentProgram) {
   const auto check = [](const Touching& t) {
-    Lattice<double> lattice = lattice_of(parameters(t.rows, 13, t.epsilon, 0.0), t.D_t);
+    Lattice<double> lattice = lattice_of(lattice_of_discs(t.rows, 13, t.epsilon, 0.0), t.D_t);
     // In that program's coordinates rounding lets touching rows overlap by 1e-13 at the start, so that they are closed
     // in the first step's first stage, not in its fourth: that is up to 6.4e-7.
     for (std::size_t i = 0; i < lattice.count(); ++i) lattice.shift.push_back({0.0, -1e-12 * double(i / 13)});
@@ -101,7 +88,7 @@ TEST(LatticeFixedStep, ErrorsFallWithTheStep) {
   for (const Integrator integrator : schemes)
     for (const Touching& t : {touching[0], touching[2], touching[5], rubbing[1], rubbing[2]}) {
       SCOPED_TRACE(testing::Message() << name_of(integrator) << " rows " << t.rows << " eps " << t.epsilon);
-      const Lattice<double> lattice = lattice_of(parameters(t.rows, 13, t.epsilon, 0.0), t.D_t);
+      const Lattice<double> lattice = lattice_of(lattice_of_discs(t.rows, 13, t.epsilon, 0.0), t.D_t);
       const double coarse = error(lattice, t, integrator, 50), fine = error(lattice, t, integrator, 800);
       EXPECT_LT(fine, coarse / 7.0);  // 16 times shorter steps: order 0.7 at least, as of a column
       EXPECT_LT(coarse, 6e-4);
@@ -111,7 +98,7 @@ TEST(LatticeFixedStep, ErrorsFallWithTheStep) {
 }
 
 TEST(LatticeFixedStep, GivesUpAtItsWorkLimit) {
-  const Lattice<double> lattice = lattice_of(parameters(4, 5, 0.9, 1.0));
+  const Lattice<double> lattice = lattice_of(lattice_of_discs(4, 5, 0.9, 1.0));
   const auto status = [&](std::uint64_t work) {
     return fixed_step_lattice_collision(lattice, Integrator::verlet, 0.01, {.work_limit = work}).status;
   };
@@ -122,7 +109,7 @@ TEST(LatticeFixedStep, GivesUpAtItsWorkLimit) {
 /// Also in narrow containers, where beads meet several images of one another.
 TEST(LatticeFixedStep, TouchingRowsMoveAsOne) {
   for (const Integrator integrator : schemes) {
-    const Lattice<double> wide = lattice_of(parameters(4, 13, 0.9, 0.0), 0.5);
+    const Lattice<double> wide = lattice_of(lattice_of_discs(4, 13, 0.9, 0.0), 0.5);
     const auto outcome = fixed_step_lattice_collision(wide, integrator, 0.005);
     for (std::size_t i = 0; i < wide.count(); ++i) {
       EXPECT_NEAR(outcome.velocity[i].z, outcome.velocity[i / 13 * 13].z, 1e-9);
@@ -130,7 +117,7 @@ TEST(LatticeFixedStep, TouchingRowsMoveAsOne) {
     }
     const double expected = energies(wide, outcome.velocity).eps_eff;
     for (const std::int64_t columns : {1, 2, 3, 40})
-      EXPECT_NEAR(eps_eff(lattice_of(parameters(4, columns, 0.9, 0.0), 0.5), integrator, 0.005), expected, 1e-12)
+      EXPECT_NEAR(eps_eff(lattice_of(lattice_of_discs(4, columns, 0.9, 0.0), 0.5), integrator, 0.005), expected, 1e-12)
           << columns;
   }
 }
@@ -140,7 +127,7 @@ TEST(LatticeFixedStep, TouchingRowsMoveAsOne) {
 TEST(LatticeFixedStep, HugeDiscsAreAColumnUnderAnyLaw) {
   for (const Law law : {Law::hooke, Law::hertz, Law::hertz_kuwabara_kono, Law::taguchi, Law::power})
     for (const Integrator integrator : schemes) {
-      Parameters p = parameters(5, 3, 0.8, 0.0, 1e9);
+      Parameters p = lattice_of_discs(5, 3, 0.8, 0.0, 1e9);
       p.law = law;
       if (law == Law::power) p.beta = p.gamma = 0.2;
       const Lattice<double> lattice = lattice_of(p);
@@ -171,7 +158,7 @@ TEST(LatticeFixedStep, ShiftedLatticesMeetTheReference) {
        {Shifted{0.1, 1, 0.9087273, Integrator::rk4}, Shifted{0.3, 1, 0.7213143, Integrator::rk4},
         Shifted{0.3, 2, 0.7162240, Integrator::gear5}, Shifted{0.3, 3, 0.7220644, Integrator::verlet}}) {
     SCOPED_TRACE(testing::Message() << "sigma " << s.sigma << " seed " << s.seed);
-    Lattice<double> lattice = lattice_of(parameters(10, 13, 0.9, s.sigma));
+    Lattice<double> lattice = lattice_of(lattice_of_discs(10, 13, 0.9, s.sigma));
     shift_at_random(lattice, s.seed);
     const auto outcome = fixed_step_lattice_collision(lattice, s.integrator, 1.0 / 200.0);
     ASSERT_EQ(outcome.status, Status::ok);
@@ -215,7 +202,7 @@ std::vector<double> energies_on_the_way(const Lattice<double>& lattice, Integrat
 TEST(LatticeFixedStep, EnergyNeverRises) {
   for (const Integrator integrator : schemes)
     for (const double D_t : {0.0, 0.7}) {
-      Parameters p = parameters(6, 5, 0.8, 0.3);
+      Parameters p = lattice_of_discs(6, 5, 0.8, 0.3);
       p.side_walls = SideWalls::fixed;
       p.width = 1e-3 * p.d;
       Lattice<double> lattice = lattice_of(p, D_t);
@@ -229,7 +216,7 @@ TEST(LatticeFixedStep, EnergyNeverRises) {
 
 TEST(LatticeFixedStep, ElasticBeadsKeepTheirEnergy) {
   for (const Integrator integrator : schemes) {
-    Parameters p = parameters(6, 5, 1.0, 0.3);
+    Parameters p = lattice_of_discs(6, 5, 1.0, 0.3);
     p.side_walls = SideWalls::fixed;
     p.width = 0.2 * p.s0;
     Lattice<double> lattice = lattice_of(p);
@@ -241,7 +228,7 @@ TEST(LatticeFixedStep, ElasticBeadsKeepTheirEnergy) {
 
 TEST(LatticeFixedStep, SkippedFreeFlightChangesNothingButRounding) {
   for (const Integrator integrator : schemes) {
-    Parameters p = parameters(3, 4, 0.8, 3.0);
+    Parameters p = lattice_of_discs(3, 4, 0.8, 3.0);
     p.side_walls = SideWalls::fixed;
     Lattice<double> lattice = lattice_of(p, 0.3);
     shift_at_random(lattice, 7);
@@ -267,7 +254,7 @@ TEST(LatticeFixedStep, OneBeadAtTheBottomIsAWallContact) {
   for (const SideWalls walls : {SideWalls::periodic, SideWalls::fixed})
     for (const Integrator integrator : schemes)
       for (const double sigma : {0.0, 0.5}) {
-        Parameters p = parameters(1, 1, 0.6, sigma);
+        Parameters p = lattice_of_discs(1, 1, 0.6, sigma);
         p.side_walls = walls;
         const Lattice<double> lattice = lattice_of(p, 0.5);
         const auto outcome = fixed_step_lattice_collision(lattice, integrator, 1.0 / 4000.3);
@@ -287,7 +274,7 @@ TEST(LatticeFixedStep, OverdampedBeadsThatStickEnd) {
   for (const Damped& c :
        {Damped{3, 4, 0.0, 1.1}, Damped{3, 4, 0.0, 3.0}, Damped{3, 4, 0.2, 1.1}, Damped{1, 1, 0.5, 3.0}}) {
     SCOPED_TRACE(testing::Message() << c.rows << " x " << c.columns << " sigma " << c.sigma << " " << c.damping);
-    Parameters p = parameters(c.rows, c.columns, 0.9, c.sigma);
+    Parameters p = lattice_of_discs(c.rows, c.columns, 0.9, c.sigma);
     p.K_over_m = std::pow(std::acos(-1.0) / p.tc, 2);
     p.D_n = c.damping * std::sqrt(p.K_over_m);
     Lattice<double> lattice = lattice_of(complete(p, GapParameter::sigma));
@@ -301,13 +288,13 @@ TEST(LatticeFixedStep, OverdampedBeadsThatStickEnd) {
 }
 
 TEST(LatticeFixedStep, StepsThatAreTooLongAreUnstable) {
-  const Lattice<double> lattice = lattice_of(parameters(4, 5, 0.9, 0.0));
+  const Lattice<double> lattice = lattice_of(lattice_of_discs(4, 5, 0.9, 0.0));
   for (const Integrator integrator : schemes)
     EXPECT_EQ(fixed_step_lattice_collision(lattice, integrator, 1.0).status, Status::unstable);
 }
 
 TEST(LatticeFixedStep, GivesUpAfterTooManyContacts) {
-  Lattice<double> lattice = lattice_of(parameters(4, 5, 0.9, 0.3));
+  Lattice<double> lattice = lattice_of(lattice_of_discs(4, 5, 0.9, 0.3));
   shift_at_random(lattice, 1);
   const auto outcome = fixed_step_lattice_collision(lattice, Integrator::verlet, 0.01, {.event_limit = 20});
   EXPECT_EQ(outcome.status, Status::event_limit);

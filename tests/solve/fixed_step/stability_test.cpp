@@ -9,6 +9,7 @@
 #include "assembly/lattice.hpp"
 #include "contact/contact_law.hpp"
 #include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/fixed_step/collision.hpp"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "assembly/column.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "solve/hard_spheres/vibrated_column.hpp"
+#include "support/parameters.hpp"
 
 /// What tests of hard spheres on a vibrating plate share. Natural units: 1/omega and g/omega^2.
 namespace sigmasweep {
@@ -21,19 +21,13 @@ inline constexpr double turn = 2.0 * pi;
 
 inline Parameters vibrated(std::int64_t N, double epsilon, double alpha, std::int64_t periods = 40,
                            std::int64_t transient = 10) {
-  Parameters p;
-  p.geometry = Geometry::vibrated_column;
-  p.method = Method::ed;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.alpha = alpha;
-  p.periods = periods;
-  p.transient = transient;
-  return p;
+  return vibrated_column(
+      {.epsilon = epsilon, .alpha = alpha, .periods = periods, .transient = transient, .N = N, .method = Method::ed});
 }
 
+/// Of parameters that may have been changed since they were completed.
 inline SimulationResult run(const Parameters& p) {
-  const SimulationResult c = simulate_vibrated_hard_spheres(complete(p, GapParameter::s0));
+  const SimulationResult c = simulate_vibrated_hard_spheres(vibrated_column(p));
   if (is_success(c.status)) {
     EXPECT_EQ(c.end, End::periods);
     EXPECT_TRUE(std::isfinite(c.vibration.h_cm));

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/hard_spheres/vibrated.hpp"
 #include "solve/hard_spheres/vibrated_column.hpp"
@@ -179,6 +178,7 @@ TEST(Scaling, OnlyReducedParametersCount) {
     q.frequency *= f;
     q.gravity *= g;
     q.s0 *= g / (f * f);
+    q.A0 *= g / (f * f);
     return q;
   };
   const Parameters exact = scaled(2.0, 4.0), rounded = scaled(3.7, 0.165);
@@ -194,9 +194,13 @@ TEST(Extremes, EndWithAResult) {
       for (const double frequency : {0.1, 1e4})
         for (const double epsilon : {1e-6, 0.1, 0.9, 1.0}) {
           if (epsilon >= 0.9 && N == 100 && alpha < 2.0) continue;  // ten thousands of collisions a period
-          Parameters p = vibrated(N, epsilon, alpha, 20);
-          p.frequency = frequency;
-          const SimulationResult c = run(p);
+          const SimulationResult c = run({.epsilon = epsilon,
+                                          .frequency = frequency,
+                                          .alpha = alpha,
+                                          .periods = 20,
+                                          .transient = 10,
+                                          .N = N,
+                                          .method = Method::ed});
           EXPECT_TRUE(is_success(c.status)) << N << " " << alpha << " " << epsilon << " " << name_of(c.status);
         }
   EXPECT_TRUE(is_success(run(vibrated(10, 0.92, 100.0, 10'000)).status));
@@ -225,8 +229,7 @@ TEST(GivingUp, IsAStatus) {
   slow.run(again);
   EXPECT_EQ(slow.status(), Status::event_limit);
   ComputeBudget none(0.0);
-  const SimulationResult c =
-      simulate_vibrated_hard_spheres(complete(vibrated(10, 0.92, 3.0, 1'000'000), GapParameter::s0), &none);
+  const SimulationResult c = simulate_vibrated_hard_spheres(vibrated(10, 0.92, 3.0, 1'000'000), &none);
   EXPECT_EQ(c.status, Status::time_limit);
   EXPECT_TRUE(std::isnan(c.vibration.h_cm));
 }

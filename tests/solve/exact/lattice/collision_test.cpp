@@ -21,12 +21,6 @@
 namespace sigmasweep {
 namespace {
 
-Parameters parameters(std::int64_t rows, std::int64_t columns, double epsilon, double sigma, double d = 1000.0) {
-  constexpr double v0 = 0.05, tc = 2e-5;
-  return lattice(
-      {.v0 = v0, .tc = tc, .sigma = sigma, .epsilon = epsilon, .d = d * v0 * tc, .rows = rows, .columns = columns});
-}
-
 Parameters rubbing(Parameters p, double D_t_over_D_n) {
   p.D_t = D_t_over_D_n * -std::log(p.epsilon) / p.tc;
   return p;
@@ -47,7 +41,7 @@ class LatticeInTouch : public testing::TestWithParam<Touching> {};
 
 TEST_P(LatticeInTouch, ReboundsAsTheChainOfRows) {
   const Touching& r = GetParam();
-  EXPECT_NEAR(eps_eff(rubbing(parameters(r.rows, 13, r.epsilon, 0.0), r.D_t)), r.eps_eff, r.uncertainty);
+  EXPECT_NEAR(eps_eff(rubbing(lattice_of_discs(r.rows, 13, r.epsilon, 0.0), r.D_t)), r.eps_eff, r.uncertainty);
 }
 INSTANTIATE_TEST_SUITE_P(
     Reference, LatticeInTouch,
@@ -61,14 +55,15 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Overlaps small beside the beads: contacts of 1.5 K and 1.5 c, and the digits of a gap do not depend on a diameter.
 TEST(Lattice, BecomesAChainForHugeBeads) {
-  EXPECT_NEAR(eps_eff(parameters(3, 13, 0.9, 0.0, 1e9)), 0.953891666632599, 1e-9);  // d: 2e-4 of (1000 v0 tc/d)
-  EXPECT_NEAR(eps_eff(parameters(10, 3, 0.6, 0.0, 1e9)), 0.895399247719405, 1e-9);
+  EXPECT_NEAR(eps_eff(lattice_of_discs(3, 13, 0.9, 0.0, 1e9)), 0.953891666632599, 1e-9);  // d: 2e-4 of (1000 v0 tc/d)
+  EXPECT_NEAR(eps_eff(lattice_of_discs(10, 3, 0.6, 0.0, 1e9)), 0.895399247719405, 1e-9);
 }
 
 /// Periodic images of narrow containers.
 TEST(Lattice, IsTheSameInNarrowContainers) {
-  const double wide = eps_eff(parameters(4, 13, 0.9, 0.0));
-  for (const std::int64_t columns : {1, 2, 3}) EXPECT_NEAR(eps_eff(parameters(4, columns, 0.9, 0.0)), wide, 1e-11);
+  const double wide = eps_eff(lattice_of_discs(4, 13, 0.9, 0.0));
+  for (const std::int64_t columns : {1, 2, 3})
+    EXPECT_NEAR(eps_eff(lattice_of_discs(4, columns, 0.9, 0.0)), wide, 1e-11);
 }
 
 /// One row of beads that do not touch one another, and a single bead: eps_wall = exp(-pi L/sqrt(2 pi^2 + L^2)).
@@ -78,7 +73,7 @@ TEST(Lattice, OfOneRowReboundsAsABead) {
   const auto error = [](double sigma) { return 1e-11 + 16.0 * std::numeric_limits<double>::epsilon() * sigma; };
   for (const double sigma : {0.0, 1.0, 1e4})
     for (const std::int64_t columns : {1, 5})
-      EXPECT_NEAR(eps_eff(parameters(1, columns, 0.9, sigma)), wall, error(sigma));
+      EXPECT_NEAR(eps_eff(lattice_of_discs(1, columns, 0.9, sigma)), wall, error(sigma));
 }
 
 struct Shifted {
@@ -90,7 +85,7 @@ class ShiftedLattice : public testing::TestWithParam<Shifted> {};
 
 TEST_P(ShiftedLattice, ReboundsAsTheOtherProgramSays) {
   const Shifted& r = GetParam();
-  auto lattice = reduced_lattice<double>(parameters(10, 13, 0.9, r.sigma));
+  auto lattice = reduced_lattice<double>(lattice_of_discs(10, 13, 0.9, r.sigma));
   shift_at_random(lattice, r.seed);
   const auto outcome = lattice_collision(lattice, 1e-10);
   EXPECT_EQ(outcome.end, End::quiet);
@@ -106,7 +101,7 @@ TEST(Lattice, KeepsItsMomentum) {
   for (const double sigma : {0.1, 0.3})
     for (const std::int64_t rows : {3, 10, 20})
       for (const double accuracy : {1e-8, 1e-10, 1e-12}) {
-        auto lattice = reduced_lattice<double>(parameters(rows, 13, 0.9, sigma));
+        auto lattice = reduced_lattice<double>(lattice_of_discs(rows, 13, 0.9, sigma));
         shift_at_random(lattice, 3);
         double sideways = 0.0;
         for (const Vec2<double>& v : lattice_collision(lattice, accuracy).velocity) sideways += v.x;
@@ -125,7 +120,7 @@ TEST_P(MeanOfLattices, IsThatOfTheOtherProgram) {
   constexpr int seeds = 8;
   double sum = 0.0;
   for (int seed = 0; seed < seeds; ++seed) {
-    Parameters p = parameters(10, 13, 0.9, r.sigma);
+    Parameters p = lattice_of_discs(10, 13, 0.9, r.sigma);
     p.random_separation = Flag::yes;
     p.seed = seed;
     sum += eps_eff(p, 1e-8);
@@ -139,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Reference, MeanOfLattices,
 
 /// Of a large group an event moves those near it at first: accuracies that differ by three orders say how well.
 TEST(Lattice, IsAsExactWhereClustersAreLarge) {
-  Parameters p = parameters(20, 15, 0.9, 0.2);  // 300 beads, most of which touch at a time
+  Parameters p = lattice_of_discs(20, 15, 0.9, 0.2);  // 300 beads, most of which touch at a time
   p.random_separation = Flag::yes;
   const double fine = eps_eff(p, 1e-11);
   EXPECT_NEAR(eps_eff(p, 1e-8), fine, 1e-6);
@@ -149,7 +144,7 @@ TEST(Lattice, IsAsExactWhereClustersAreLarge) {
 TEST(Lattice, ErrorBarHolds) {
   for (const double sigma : {0.03, 0.5, 2.0})
     for (const std::int64_t seed : {1, 2, 3}) {
-      Parameters p = parameters(5, 4, 0.8, sigma);
+      Parameters p = lattice_of_discs(5, 4, 0.8, sigma);
       p.random_separation = Flag::yes;
       p.seed = seed;
       p.tolerance = 1e-5;
@@ -167,7 +162,7 @@ TEST(Lattice, ErrorBarHolds) {
 TEST(Lattice, ErrorBarHoldsWhereDiscsScatter) {
   for (const double sigma : {3.0, 10.0})
     for (const std::int64_t seed : {1, 2, 3, 4, 5}) {
-      Parameters p = parameters(10, 4, 0.9, sigma);
+      Parameters p = lattice_of_discs(10, 4, 0.9, sigma);
       p.random_separation = Flag::yes;
       p.seed = seed;
       p.tolerance = 0.1;
@@ -181,7 +176,7 @@ TEST(Lattice, ErrorBarHoldsWhereDiscsScatter) {
 
 /// However different the velocities are of what loses nothing.
 TEST(Lattice, ErrorBarOfElasticLatticesIsSmall) {
-  Parameters p = parameters(5, 6, 1.0, 3.0);
+  Parameters p = lattice_of_discs(5, 6, 1.0, 3.0);
   p.random_separation = Flag::yes;
   p.tolerance = 1e-5;
   const SimulationResult c = simulate(p);
@@ -191,7 +186,7 @@ TEST(Lattice, ErrorBarOfElasticLatticesIsSmall) {
 
 /// A wait for a late contact of 21.8, 23.4 and 22.9 tc at three accuracies, 24.3 in truth, where 24.01 are the end.
 TEST(Lattice, ErrorBarKnowsWhenTheEndIsUndecided) {
-  Parameters p = parameters(10, 4, 0.9, 0.30014186017127226);
+  Parameters p = lattice_of_discs(10, 4, 0.9, 0.30014186017127226);
   p.random_separation = Flag::yes;
   p.seed = 565717851122904304;
   constexpr double truth = 0.715555206783;  // long double, 1e-15 and 1e-17
@@ -205,7 +200,7 @@ TEST(Lattice, ErrorBarKnowsWhenTheEndIsUndecided) {
 
 /// In one run there is no wait at all, in the other one there are some.
 TEST(Lattice, ErrorBarIsNoneOfTheEndWhereNobodyWaits) {
-  Parameters p = parameters(10, 13, 0.9, 1e-3, 10.0);
+  Parameters p = lattice_of_discs(10, 13, 0.9, 1e-3, 10.0);
   p.random_separation = Flag::yes;
   p.tolerance = 0.1;
   for (const std::int64_t seed : {1, 2, 3, 4, 5}) {
@@ -218,12 +213,12 @@ TEST(Lattice, ErrorBarIsNoneOfTheEndWhereNobodyWaits) {
 /// and of beads one by one, which touch the wall for t_wall = pi sqrt(2)/sqrt(omega0^2 - mu^2/2).
 TEST(Lattice, KnowsItsOverlapsAndContactTimes) {
   for (const double sigma : {0.03, 0.3}) {
-    auto lattice = reduced_lattice<double>(parameters(10, 13, 0.9, sigma));
+    auto lattice = reduced_lattice<double>(lattice_of_discs(10, 13, 0.9, sigma));
     shift_at_random(lattice, 1);
     const auto steps = fixed_step_lattice_collision(lattice, Integrator::rk4, 1.0 / 400.0);
     EXPECT_NEAR(lattice_collision(lattice, 1e-9).x_max, steps.x_max, 1e-3 * steps.x_max) << sigma;
   }
-  const auto row = reduced_lattice<double>(parameters(1, 5, 0.9, 1.0));
+  const auto row = reduced_lattice<double>(lattice_of_discs(1, 5, 0.9, 1.0));
   const double L = -std::log(0.9), pi = std::numbers::pi,
                t_wall = pi * std::sqrt(2.0) / std::sqrt(pi * pi + L * L / 2.0);
   const auto outcome = lattice_collision(row, 1e-12);
@@ -233,7 +228,7 @@ TEST(Lattice, KnowsItsOverlapsAndContactTimes) {
 
 TEST(Lattice, WithoutDampingKeepsItsEnergy) {
   for (const double sigma : {0.0, 0.3, 10.0}) {
-    Parameters p = parameters(5, 4, 1.0, sigma);
+    Parameters p = lattice_of_discs(5, 4, 1.0, sigma);
     p.random_separation = Flag::yes;
     EXPECT_NEAR(eps_eff(p), 1.0, 1e-9) << sigma;  // the local accuracy times some hundred contacts
   }
@@ -243,18 +238,18 @@ TEST(Lattice, WithoutDampingKeepsItsEnergy) {
 TEST(Lattice, KnowsWhatLongFlightsCost) {
   const double L = -std::log(0.9), pi = std::numbers::pi, wall = std::exp(-pi * L / std::sqrt(2.0 * pi * pi + L * L));
   for (const double sigma : {1e4, 1e6, 1e8}) {
-    const SimulationResult c = simulate(parameters(1, 3, 0.9, sigma));
+    const SimulationResult c = simulate(lattice_of_discs(1, 3, 0.9, sigma));
     EXPECT_NEAR(c.eps_eff, wall, c.eps_eff_error) << sigma;
     EXPECT_LT(c.eps_eff_error, 1e-6) << sigma;
     EXPECT_EQ(c.contacts, 3U);
   }
-  EXPECT_NE(why_invalid(parameters(10, 3, 0.9, 1e9)), "");
+  EXPECT_NE(why_invalid(lattice_of_discs(10, 3, 0.9, 1e9)), "");
 }
 
 /// Fixed steps, another program for nearly everything: first order in the step.
 TEST(Lattice, AgreesWithSmallFixedSteps) {
   for (const Law law : {Law::hooke, Law::hertz}) {
-    Parameters p = parameters(4, 3, 0.7, 0.4);
+    Parameters p = lattice_of_discs(4, 3, 0.7, 0.4);
     p.law = law;
     p.side_walls = SideWalls::fixed;
     p.width = 0.3 * p.d;
@@ -271,7 +266,7 @@ TEST(Lattice, AgreesWithSmallFixedSteps) {
 TEST(Lattice, OfOverdampedBeadsEnds) {
   for (const double sigma : {0.0, 0.1, 10.0})
     for (const std::int64_t rows : {1, 3}) {
-      Parameters p = parameters(rows, 2, 0.5, sigma);
+      Parameters p = lattice_of_discs(rows, 2, 0.5, sigma);
       p.K_over_m = 1e11;
       p.D_n = 1e6;  // sqrt(K_over_m) = 3.2e5
       p = complete(p, GapParameter::sigma);
@@ -299,7 +294,7 @@ TEST_P(ExtremeLattice, LosesEnergyAndEnds) {
 std::vector<Parameters> extremes() {
   std::vector<Parameters> all;
   for (const double sigma : {0.0, 1e-6, 1.0, 1e4}) {
-    Parameters p = parameters(4, 4, 0.1, sigma);  // strong losses
+    Parameters p = lattice_of_discs(4, 4, 0.1, sigma);  // strong losses
     p.random_separation = Flag::yes;
     all.push_back(p);
     p.epsilon = 0.9;
@@ -308,7 +303,7 @@ std::vector<Parameters> extremes() {
     all.push_back(p);
     p.side_walls = SideWalls::fixed;
     all.push_back(p);
-    all.push_back(parameters(1, 1, 0.5, sigma));
+    all.push_back(lattice_of_discs(1, 1, 0.5, sigma));
   }
   return all;
 }

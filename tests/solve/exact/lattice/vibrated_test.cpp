@@ -2,29 +2,26 @@
 
 #include <cmath>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "support/parameters.hpp"
 
 /// Lattices in a vibrated container, from event to event.
 namespace sigmasweep {
 namespace {
 
 Parameters parameters(std::int64_t rows, std::int64_t columns, double tc) {
-  Parameters p;
-  p.geometry = Geometry::vibrated_lattice;
-  p.rows = rows;
-  p.columns = columns;
-  p.epsilon = 0.8;
-  p.tc = tc;
-  p.s0 = 1e-4;
-  p.frequency = 20.0;
-  p.alpha = 3.0;
-  p.side_walls = SideWalls::fixed;
-  p.random_separation = Flag::yes;
-  p.seed = 1;
-  p.periods = 6;
-  p.transient = 1;
-  return complete(p, GapParameter::s0);
+  return vibrated_lattice({.tc = tc,
+                           .s0 = 1e-4,
+                           .epsilon = 0.8,
+                           .frequency = 20.0,
+                           .alpha = 3.0,
+                           .periods = 6,
+                           .transient = 1,
+                           .rows = rows,
+                           .columns = columns,
+                           .seed = 1,
+                           .side_walls = SideWalls::fixed,
+                           .random_separation = Flag::yes});
 }
 
 /// One bead is a column of one.

@@ -8,17 +8,11 @@
 #include "base/quad.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
 using namespace sigmasweep;
-
-Parameters tuple(std::int64_t N, double epsilon) {
-  Parameters p;
-  p.N = N;
-  p.epsilon = epsilon;
-  return p;
-}
 
 double seconds(const Parameters& p) {
   const std::clock_t start = std::clock();
@@ -27,7 +21,7 @@ double seconds(const Parameters& p) {
 }
 
 TEST(LargeColumn, AThousandTouchingBeadsAreATupleLikeAnyOther) {
-  const Parameters p = tuple(1000, 0.8);
+  const Parameters p = soft_column({.epsilon = 0.8, .N = 1000});
   const SimulationResult c = simulate(p);
   ASSERT_EQ(c.status, Status::ok);
   EXPECT_LE(c.eps_eff_error, 1e-12);
@@ -45,8 +39,8 @@ TEST(LargeColumn, AThousandTouchingBeadsAreATupleLikeAnyOther) {
 TEST(LargeColumn, CostGrowsAsTheSquareOfTheLength) {
   double short_column = 1e9, long_column = 1e9;
   for (int i = 0; i < 5; ++i) {
-    short_column = std::min(short_column, seconds(tuple(100, 0.8)));
-    long_column = std::min(long_column, seconds(tuple(400, 0.8)));
+    short_column = std::min(short_column, seconds(soft_column({.epsilon = 0.8, .N = 100})));
+    long_column = std::min(long_column, seconds(soft_column({.epsilon = 0.8, .N = 400})));
   }
   EXPECT_LE(long_column / short_column, 48.0);
 }
@@ -54,7 +48,7 @@ TEST(LargeColumn, CostGrowsAsTheSquareOfTheLength) {
 // A tolerance a thousand times smaller is a longer tail of contacts that matter little, not another order of cost.
 TEST(LargeColumn, CostHardlyDependsOnTheTolerance) {
   for (double epsilon : {0.6, 0.8, 0.9, 0.975}) {
-    Parameters loose = tuple(200, epsilon), tight = loose;
+    Parameters loose = soft_column({.epsilon = epsilon, .N = 200}), tight = loose;
     loose.tolerance = 1e-3;
     tight.tolerance = 1e-10;
     EXPECT_LE(seconds(tight), 30.0 * std::max(seconds(loose), 5e-3)) << epsilon;

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/quad.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/piecewise_linear.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
@@ -20,9 +20,9 @@ constexpr double K_over_m = 2e9;  // 1/s^2
 
 /// `damping`: D_n/sqrt(K_over_m), 1 is critical. s0 in units of v0/sqrt(K_over_m).
 Parameters tuple(std::int64_t N, double damping, double s0) {
-  Parameters p{.v0 = 0.3, .s0 = s0 * 0.3 / std::sqrt(K_over_m), .K_over_m = K_over_m, .N = N};
-  p.D_n = damping * std::sqrt(K_over_m);
-  return complete(p, GapParameter::s0);
+  constexpr double v0 = 0.3;
+  const double omega = std::sqrt(K_over_m);
+  return soft_column({.v0 = v0, .s0 = s0 * v0 / omega, .K_over_m = K_over_m, .D_n = damping * omega, .N = N});
 }
 
 template <class Real>
