@@ -75,7 +75,9 @@ void put_parameters(hid_t file, const Tuple& tuple, const Trajectory& trajectory
   put_text(group, "key", key_of(tuple.parameters, trajectory.samples(), trajectory.time.back()));
 }
 
-/// Time-dependent elements. The first one has datasets step and time, which the others share.
+/// Time-dependent elements. The first one has datasets step and time, which the others share. Units are attributes of
+/// the elements, not of their datasets, where H5MD has them: MDAnalysis gives up on datasets in units that it does not
+/// know, and it knows no metres.
 class Elements {
  public:
   explicit Elements(const Trajectory& trajectory) : trajectory_(trajectory) {}
@@ -84,12 +86,14 @@ class Elements {
            const std::string& unit) {
     item.insert(item.begin(), trajectory_.samples());
     Handle element = new_group(group, name);
-    put_array(element, "value", values, item, unit);
+    put_array(element, "value", values, item, "");
+    if (!unit.empty()) put_text(element, "unit", unit);
+    put_text(element, "time_unit", "s");
     if (first_ < 0) {
       std::vector<std::int64_t> steps(trajectory_.samples());
       std::iota(steps.begin(), steps.end(), 0);
       put_counts(element, "step", steps);
-      put_array(element, "time", trajectory_.time, {trajectory_.samples()}, "s");
+      put_array(element, "time", trajectory_.time, {trajectory_.samples()}, "");
       first_ = std::move(element);
       return;
     }
@@ -102,21 +106,21 @@ class Elements {
   Handle first_;
 };
 
-/// The values x_0, z_0, x_1, z_1, ...; of a column, which has no x, the values of z.
-std::vector<double> interleaved(std::span<const double> x, std::span<const double> z) {
-  std::vector<double> both;
-  for (std::size_t k = 0; k < z.size(); ++k) {
-    if (!x.empty()) both.push_back(x[k]);
-    both.push_back(z[k]);
-  }
-  return both;
+constexpr hsize_t dimensions = 3;  // tools of molecular dynamics know no others
+
+/// The vectors (x_0, 0, z_0), (x_1, 0, z_1), ...; a column has no x.
+std::vector<double> vectors(std::span<const double> x, std::span<const double> z) {
+  std::vector<double> all;
+  all.reserve(dimensions * z.size());
+  for (std::size_t k = 0; k < z.size(); ++k) all.insert(all.end(), {x.empty() ? 0.0 : x[k], 0.0, z[k]});
+  return all;
 }
 
 std::vector<double> positions(const Trajectory& t) {
   std::vector<double> h = t.z;
   for (std::size_t i = 0; i < t.beads(); ++i)
     for (std::size_t s = 0; s < t.samples(); ++s) h[s * t.beads() + i] += t.base(i);
-  return interleaved(t.x, h);
+  return vectors(t.x, h);
 }
 
 /// sum m_i v_i^2 divided by sum m_i unit^2, for each sample.
@@ -145,20 +149,26 @@ void put_observables(hid_t group, const Parameters& p, const Trajectory& traject
   elements.put(group, "plate_height", plate, {}, "m");
 }
 
-/// The box of a lattice is as high as its beads come. Nothing bounds them above, but H5MD has edges in all directions
-/// or in none.
-void put_box(hid_t beads, const Trajectory& t) {
+/// The vectors along the edges of a lattice's box, for each sample. The box is as deep as the largest bead and as high
+/// as the beads come. Nothing bounds them above, but H5MD has edges in all directions or in none.
+std::vector<double> edges_of(const Trajectory& t) {
+  double height = 0.0;
+  for (std::size_t k = 0; k < t.z.size(); ++k)
+    if (std::isfinite(t.z[k])) height = std::max(height, t.z[k] + 0.5 * t.diameter[k % t.beads()]);
+  std::vector<double> edges;
+  for (std::size_t s = 0; s < t.samples(); ++s)
+    edges.insert(edges.end(), {t.box_width, 0.0, 0.0, 0.0, std::ranges::max(t.diameter), 0.0, 0.0, 0.0, height});
+  return edges;
+}
+
+/// The box of a lattice has edges, as an element that depends on time: MDAnalysis reads no other ones.
+void put_box(hid_t beads, const Trajectory& t, Elements& elements) {
   const Handle box = new_group(beads, "box");
-  std::vector<std::string> boundary{"none"};
-  if (t.is_plane()) {
-    boundary.insert(boundary.begin(), t.periodic ? "periodic" : "none");
-    double height = 0.0;
-    for (std::size_t k = 0; k < t.z.size(); ++k)
-      if (std::isfinite(t.z[k])) height = std::max(height, t.z[k] + 0.5 * t.diameter[k % t.beads()]);
-    put_array(box, "edges", std::vector<double>{t.box_width, height}, {2}, "m");
-  }
-  put_whole(box, "dimension", static_cast<std::int64_t>(boundary.size()));
+  std::vector<std::string> boundary(dimensions, "none");
+  if (t.periodic) boundary.front() = "periodic";
+  put_whole(box, "dimension", dimensions);
   put_texts(box, "boundary", boundary);
+  if (t.is_plane()) elements.put(box, "edges", edges_of(t), {dimensions, dimensions}, "m");
 }
 
 std::vector<std::byte> image_of(const Tuple& tuple, const Trajectory& trajectory) {
@@ -167,10 +177,10 @@ std::vector<std::byte> image_of(const Tuple& tuple, const Trajectory& trajectory
   Elements elements(trajectory);
   {
     const Handle beads = new_group(new_group(file, "particles"), "beads");
-    put_box(beads, trajectory);
-    const hsize_t N = trajectory.beads(), dimension = trajectory.is_plane() ? 2 : 1;
-    elements.put(beads, "position", positions(trajectory), {N, dimension}, "m");
-    elements.put(beads, "velocity", interleaved(trajectory.x_velocity, trajectory.velocity), {N, dimension}, "m s-1");
+    const hsize_t N = trajectory.beads();
+    elements.put(beads, "position", positions(trajectory), {N, dimensions}, "m");
+    elements.put(beads, "velocity", vectors(trajectory.x_velocity, trajectory.velocity), {N, dimensions}, "m s-1");
+    put_box(beads, trajectory, elements);
     if (!trajectory.is_plane()) elements.put(beads, "reduced_height", trajectory.z, {N, 1}, "m");
     put_array(beads, "mass", trajectory.mass, {N}, "");
     put_array(beads, "diameter", trajectory.diameter, {N}, "m");
@@ -180,25 +190,52 @@ std::vector<std::byte> image_of(const Tuple& tuple, const Trajectory& trajectory
   return h5md::image_of(file);
 }
 
-/// Splits values that interleaved() joined, of two dimensions.
-void split(std::span<const double> both, std::vector<double>& x, std::vector<double>& z) {
-  for (std::size_t k = 0; k + 1 < both.size(); k += 2) {
-    x.push_back(both[k]);
-    z.push_back(both[k + 1]);
+/// The components of vectors of that many dimensions: the first ones, and the last ones, which are the heights.
+void split(std::span<const double> all, std::size_t dimension, std::vector<double>& x, std::vector<double>& z) {
+  for (std::size_t k = 0; k + dimension <= all.size(); k += dimension) {
+    if (dimension > 1) x.push_back(all[k]);
+    z.push_back(all[k + dimension - 1]);
   }
 }
 
+double box_width(hid_t beads, hsize_t samples, hsize_t dimension) {
+  std::vector<hsize_t> of_old{dimension}, of_all{samples, dimension, dimension};
+  const double width = dimension == 2 ? get_array(beads, "box/edges", of_old)[0]  // of earlier files
+                                      : get_array(beads, "box/edges/value", of_all)[0];
+  if (!(width > 0.0 && std::isfinite(width))) throw IoError("its box has no width");
+  return width;
+}
+
 void read_plane(hid_t beads, Trajectory& t, std::vector<hsize_t> extents) {
-  extents.back() = 2;
-  split(get_array(beads, "position/value", extents), t.x, t.z);
-  split(get_array(beads, "velocity/value", extents), t.x_velocity, t.velocity);
-  std::vector<hsize_t> directions{2};
-  t.box_width = get_array(beads, "box/edges", directions)[0];
-  if (!(t.box_width > 0.0 && std::isfinite(t.box_width))) throw IoError("its box has no width");
+  extents.back() = 0;  // any
+  const std::vector<double> position = get_array(beads, "position/value", extents);
+  const hsize_t dimension = extents.back();
+  if (dimension != 2 && dimension != 3) throw IoError("its positions have not two or three dimensions");
+  split(position, dimension, t.x, t.z);
+  split(get_array(beads, "velocity/value", extents), dimension, t.x_velocity, t.velocity);
+  t.box_width = box_width(beads, extents.front(), dimension);
   const Handle box(H5Gopen2(beads, "box", H5P_DEFAULT), H5Gclose, "it has no box");
   const std::vector<std::string> boundary = get_texts(box, "boundary");
-  if (boundary.size() != 2) throw IoError("its box has not two dimensions");
+  if (boundary.size() != dimension) throw IoError("its box has not the dimensions of its positions");
   t.periodic = boundary[0] == "periodic";
+}
+
+void read_column(hid_t beads, Trajectory& t, std::vector<hsize_t> extents) {
+  t.z = get_array(beads, "reduced_height/value", extents);
+  extents.back() = 0;  // any
+  const std::vector<double> velocity = get_array(beads, "velocity/value", extents);
+  std::vector<double> none;
+  split(velocity, extents.back(), none, t.velocity);
+}
+
+/// Of a file that is somebody else's. Positions and velocities may be NaN, where a solver gave up.
+void require_sound(const Trajectory& t) {
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  if (!std::ranges::all_of(t.mass, positive)) throw IoError("it has beads without a mass");
+  if (!std::ranges::all_of(t.diameter, positive)) throw IoError("it has beads without a diameter");
+  if (!std::ranges::all_of(t.time, [](double time) { return std::isfinite(time) && time >= 0.0; }) ||
+      !std::ranges::is_sorted(t.time))
+    throw IoError("its times do not ascend");
 }
 
 }  // namespace
@@ -228,12 +265,11 @@ Trajectory read_h5md(const std::string& path) {
     trajectory.mass = get_array(beads, "mass", N);
     trajectory.diameter = get_array(beads, "diameter", N);
     std::vector<hsize_t> extents{samples[0], N[0], 1};
-    if (check(H5Lexists(beads, "reduced_height", H5P_DEFAULT), "cannot look for reduced_height") == 0) {
+    require_sound(trajectory);
+    if (check(H5Lexists(beads, "reduced_height", H5P_DEFAULT), "cannot look for reduced_height") == 0)
       read_plane(beads, trajectory, extents);
-      return trajectory;
-    }
-    trajectory.z = get_array(beads, "reduced_height/value", extents);
-    trajectory.velocity = get_array(beads, "velocity/value", extents);
+    else
+      read_column(beads, trajectory, extents);
     return trajectory;
   } catch (const IoError& error) {
     throw IoError(fmt::format("{} is not a trajectory of sigmasweep: {}", path, error.what()));

@@ -80,7 +80,7 @@ class Rules(unittest.TestCase):
         self.assertEqual(step.shape, time.shape)
         self.assertTrue((numpy.diff(step[()]) > 0).all() and (numpy.diff(time[()]) > 0).all())
         self.assertEqual(value.shape, step.shape + shape)
-        self.assertEqual(time.attrs["unit"], b"s")
+        self.assertEqual(group.attrs["time_unit"], b"s")
 
     def metadata(self, file):
         version = file["h5md"].attrs["version"]
@@ -108,12 +108,13 @@ class H5md(Rules):
                 N = file["parameters"].attrs["N"]
                 dimension = beads["box"].attrs.get_id("dimension")
                 self.assertEqual((dimension.shape, dimension.dtype.kind), ((), "i"))
-                self.assertEqual(beads["box"].attrs["dimension"], 1)
-                self.fixed_text(beads["box"].attrs.get_id("boundary"), (1,))
-                self.assertEqual(beads["box"].attrs["boundary"].tolist(), [b"none"])  # then edges may be left out
-                for name, unit in (("position", b"m"), ("velocity", b"m s-1"), ("reduced_height", b"m")):
-                    self.element(beads[name], (N, 1))
-                    self.assertEqual(beads[name]["value"].attrs["unit"], unit)
+                self.assertEqual(beads["box"].attrs["dimension"], 3)
+                self.fixed_text(beads["box"].attrs.get_id("boundary"), (3,))
+                self.assertEqual(beads["box"].attrs["boundary"].tolist(), [b"none"] * 3)  # then edges may be left out
+                self.assertFalse(beads["position/value"][:, :, :2].any())  # a column is along z
+                for name, unit, size in (("position", b"m", 3), ("velocity", b"m s-1", 3), ("reduced_height", b"m", 1)):
+                    self.element(beads[name], (N, size))
+                    self.assertEqual(beads[name].attrs["unit"], unit)
                     for shared in ("step", "time"):  # hard links: the same object
                         self.assertEqual(beads[name][shared], beads["position"][shared])
                 self.element(file["observables/kinetic_energy"], ())
@@ -133,17 +134,26 @@ class H5md(Rules):
                 d, mass = beads["diameter"][()], beads["mass"][()]
                 numpy.testing.assert_allclose(mass, (d / 1e-3) ** 3, rtol=1e-14)
                 base = numpy.cumsum(d) - d / 2
-                z, h = beads["reduced_height/value"][:, :, 0], beads["position/value"][:, :, 0]
+                z, h = beads["reduced_height/value"][:, :, 0], beads["position/value"][:, :, 2]
                 numpy.testing.assert_allclose(h, z + base, atol=1e-18)  # some roundings of 3e-3 m
                 numpy.testing.assert_allclose(z[0], row["s0"] * numpy.arange(1, row["N"] + 1), atol=1e-20)
                 energy = file["observables/kinetic_energy/value"][()]
-                v = beads["velocity/value"][:, :, 0]
+                v = beads["velocity/value"][:, :, 2]
                 numpy.testing.assert_allclose(energy, (v**2 @ mass) / (0.2**2 * mass.sum()), rtol=1e-13)
                 self.assertEqual(len(energy), 101)
                 if row["N"] == 1:  # it has left the wall by then
                     self.assertAlmostEqual(energy[-1] ** 0.5, row["eps_eff"], delta=1e-12)
                 end = 1.5 * (row["s0"] / 0.2 + row["t_k"]) or 1.5 * row["N"] * 7e-6
                 self.assertAlmostEqual(beads["position/time"][-1] / end, 1.0, delta=1e-14)
+
+    def test_mdanalysis(self):
+        import MDAnalysis
+        universe = MDAnalysis.Universe.empty(3, trajectory=False)
+        universe.load_new(str(self.sweep.file(3)), format="H5MD", convert_units=False)  # it knows no metres
+        with h5py.File(self.sweep.file(3)) as file:
+            position = file["particles/beads/position/value"][-1]
+        numpy.testing.assert_allclose(universe.trajectory[-1].positions, position, rtol=1e-6)  # floats
+        self.assertIsNone(universe.dimensions)
 
     def test_plot(self):
         for form in ("svg", "png"):
@@ -179,13 +189,14 @@ class H5mdOfLattices(Rules):
             with self.subTest(row=k), h5py.File(self.sweep.file(k)) as file:
                 self.metadata(file)
                 beads, box = file["particles/beads"], file["particles/beads/box"]
-                self.assertEqual(box.attrs["dimension"], 2)
-                self.fixed_text(box.attrs.get_id("boundary"), (2,))
-                self.assertEqual(box.attrs["boundary"].tolist(), [(b"periodic", b"none")[k], b"none"])
-                self.assertEqual((box["edges"].shape, box["edges"].attrs["unit"]), ((2,), b"m"))
+                self.assertEqual(box.attrs["dimension"], 3)
+                self.fixed_text(box.attrs.get_id("boundary"), (3,))
+                self.assertEqual(box.attrs["boundary"].tolist(), [(b"periodic", b"none")[k], b"none", b"none"])
+                self.element(box["edges"], (3, 3))
+                self.assertEqual(box["edges"].attrs["unit"], b"m")
                 for name, unit in (("position", b"m"), ("velocity", b"m s-1")):
-                    self.element(beads[name], (6, 2))
-                    self.assertEqual(beads[name]["value"].attrs["unit"], unit)
+                    self.element(beads[name], (6, 3))
+                    self.assertEqual(beads[name].attrs["unit"], unit)
                     for shared in ("step", "time"):
                         self.assertEqual(beads[name][shared], beads["position"][shared])
                 self.assertNotIn("reduced_height", beads)
@@ -195,21 +206,37 @@ class H5mdOfLattices(Rules):
                 self.physics(file, beads, row, periodic=k == 0)
 
     def physics(self, file, beads, row, periodic):
-        x, h = numpy.moveaxis(beads["position/value"][()], 2, 0)
-        d, mass, edges = beads["diameter"][()], beads["mass"][()], beads["box/edges"][()]
+        x, y, h = numpy.moveaxis(beads["position/value"][()], 2, 0)
+        self.assertFalse(y.any())
+        d, mass, edges = beads["diameter"][()], beads["mass"][()], numpy.diag(beads["box/edges/value"][-1])
         a = 1.05e-3 + 1e-6  # of the largest beads that width allows, and s0
         self.assertAlmostEqual(edges[0] / (2 * a if periodic else 2.5 * a + 1e-6), 1.0, delta=1e-14)
-        self.assertEqual(edges[1], (h + d / 2).max())
+        self.assertEqual(edges[1], d.max())
+        self.assertEqual(edges[2], (h + d / 2).max())
         numpy.testing.assert_allclose(mass, (d / 1e-3) ** 3, rtol=1e-14)
         self.assertTrue((h[0] - d / 2 > 0).all() and (h - d / 2 > -1e-5).all())  # the bottom; overlaps are some v0 tc
         if not periodic:
             self.assertTrue((x - d / 2 > -1e-5).all() and (x + d / 2 < edges[0] + 1e-5).all())
         v = beads["velocity/value"][()]
-        numpy.testing.assert_allclose(v[0], [[0.0, -0.2]] * 6, atol=1e-16)
+        numpy.testing.assert_allclose(v[0], [[0.0, 0.0, -0.2]] * 6, atol=1e-16)
         energy = file["observables/kinetic_energy/value"][()]
         numpy.testing.assert_allclose(energy, ((v**2).sum(axis=2) @ mass) / (0.2**2 * mass.sum()), rtol=1e-13)
         self.assertAlmostEqual(energy[0], 1.0, delta=1e-14)
         self.assertGreater(energy[-1] ** 0.5, row["eps_eff"] - 1e-6)  # the film may end before the last contact
+
+    def test_mdanalysis(self):
+        import MDAnalysis
+        for k in range(2):
+            with self.subTest(k), h5py.File(self.sweep.file(k)) as file:
+                beads = file["particles/beads"]
+                universe = MDAnalysis.Universe.empty(6, trajectory=False)
+                universe.load_new(str(self.sweep.file(k)), format="H5MD", convert_units=False)  # it knows no metres
+                frame = universe.trajectory[-1]
+                self.assertEqual(universe.trajectory.n_frames, 101)
+                numpy.testing.assert_allclose(frame.positions, beads["position/value"][-1], rtol=1e-6)  # floats
+                numpy.testing.assert_allclose(frame.velocities, beads["velocity/value"][-1], rtol=1e-6)
+                edges = numpy.diag(beads["box/edges/value"][-1])
+                numpy.testing.assert_allclose(frame.dimensions, [*edges, 90, 90, 90], rtol=1e-6)
 
     def test_plot(self):
         for form in ("svg", "png", "pdf"):

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -76,7 +77,7 @@ TEST(PlotFigure, CountsWhatCannotBeDrawn) {
 TEST(PlotFigure, EveryCurveStaysVisibleWhereAllFallOnOne) {
   std::vector<Row> rows;
   for (int curve = 0; curve < 4; ++curve)
-    for (int k = 0; k < 500; ++k) rows.push_back(make_row(Method::md, 1 + curve, 1e-5, 1e-3 + k, 0.5));
+    for (int k = 0; k < 2000; ++k) rows.push_back(make_row(Method::md, 1 + curve, 1e-5, 1e-3 + k, 0.5));
   rows.push_back(make_row(Method::md, 1, 1e-5, 250.0, 0.7));  // one that is elsewhere is always drawn
   PlotSpec spec = by_pair();
   spec.x_log = false;
@@ -86,6 +87,49 @@ TEST(PlotFigure, EveryCurveStaysVisibleWhereAllFallOnOne) {
   EXPECT_LT(points(figure), 200u);
   const auto& first = figure.curves[0].points;
   EXPECT_TRUE(std::any_of(first.begin(), first.end(), [](const plot::Point& p) { return p.y == 0.7; }));
+}
+
+TEST(PlotFigure, CurvesOnOneLineTakeTurnsInFront) {
+  std::vector<Row> rows;
+  for (int curve = 0; curve < 4; ++curve)
+    for (int k = 0; k < 500; ++k) rows.push_back(make_row(Method::md, 1 + curve, 1e-5, 1e-3 + k, 0.5));
+  rows.push_back(make_row(Method::md, 1, 1e-5, 250.0, 0.7));  // alone in its place
+  PlotSpec spec = by_pair();
+  spec.x_log = false;
+  const plot::Figure figure = plot::figure_of(rows, spec, "");
+  EXPECT_EQ(points(figure), 2001u);
+  for (const auto& curve : figure.curves) {
+    EXPECT_GT(curve.front.size(), 15u);
+    EXPECT_LT(curve.front.size(), 50u);
+    EXPECT_TRUE(std::ranges::all_of(curve.front, [](const plot::Point& p) { return p.y == 0.5; }));
+  }
+}
+
+TEST(PlotFigure, DrawsThousandsOfSymbolsAndSaysHowManyItLeavesOut) {
+  std::vector<Row> rows;
+  for (int k = 0; k < 5000; ++k) rows.push_back(make_row(Method::md, 1, 1e-5, 0.1 + 1e-6 * k, 0.9));
+  const plot::Figure all = plot::figure_of(rows, by_pair(), "");
+  EXPECT_EQ(points(all), 5000u);
+  EXPECT_EQ(all.note, "");
+  rows.push_back(make_row(Method::md, 1, 1e-5, 0.2, 0.9));
+  const plot::Figure thinned = plot::figure_of(rows, by_pair(), "");
+  EXPECT_LT(points(thinned), 200u);
+  EXPECT_EQ(thinned.note,
+            std::to_string(points(thinned)) + " of 5001 symbols are drawn, the others are at the same places");
+}
+
+/// Elastic spheres give all energy back, but for rounding.
+TEST(PlotFigure, AxesDoNotShowRounding) {
+  for (const bool log : {false, true}) {
+    PlotSpec spec = by_pair();
+    spec.y_log = log;
+    const double below = std::nextafter(1.0, 0.0);
+    const std::vector<Row> rows{make_row(Method::md, 1, 1e-5, 0.1, 1.0), make_row(Method::md, 1, 1e-5, 0.2, below)};
+    const plot::Figure figure = plot::figure_of(rows, spec, "");
+    EXPECT_LT(figure.y.from, 0.6);
+    EXPECT_GT(figure.y.to, 1.4);
+    EXPECT_LT(plot::gnuplot_script(figure, plot::Form::svg).size(), 5000u);
+  }
 }
 
 TEST(PlotFigure, RefusesFieldsThatAreNoNumbers) {
@@ -114,8 +158,18 @@ TEST(PlotScript, UserTextStaysText) {
   plot::Figure figure;
   figure.title = "it's\n'; system 'touch pwned'; # `touch pwned` \\";
   const std::string script = plot::gnuplot_script(figure, plot::Form::svg);
-  EXPECT_NE(script.find("set title 'it''s ''; system ''touch pwned''; # `touch pwned` \\' noenhanced"),
-            std::string::npos);
+  EXPECT_NE(
+      script.find(R"(set title "it\047s \047; system \047touch pwned\047; # \140touch pwned\140 \134" noenhanced)"),
+      std::string::npos)
+      << script;
+}
+
+TEST(PlotScript, NamesOfFontsInLabelsAreNames) {
+  plot::Figure figure;
+  figure.x.label = R"({/F"><script>alert(1)</script> x} {/Times-Italic=20 y} a < b)";
+  const std::string script = plot::gnuplot_script(figure, plot::Form::svg);
+  EXPECT_NE(script.find(R"(set xlabel "{/Fscriptalert1script x} {/Times-Italic=20 y} a < b")"), std::string::npos)
+      << script;
 }
 
 TEST(PlotScript, FormFollowsTheEnding) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "base/printable.hpp"
 #include "cli/command.hpp"
 #include "engine/report/unstable_rows.hpp"
 #include "sigmasweep/solve/cost.hpp"
@@ -72,7 +73,7 @@ void print_text(const Sweep& sweep, const Plan& plan, int ranks) {
   std::string axes;
   for (std::size_t i = 0; i < sweep.axes().size(); ++i)
     axes += fmt::format("{}{} ({})", i ? ", " : "", sweep.axes()[i], sweep.axis_sizes()[i]);
-  if (!sweep.title().empty()) fmt::print("{}\n", sweep.title());
+  if (!sweep.title().empty()) fmt::print("{}\n", printable(sweep.title()));
   fmt::print("tuples         {}\naxes           {}\n", sweep.size(), axes.empty() ? "none" : axes);
   fmt::print("core time      {}\n", duration(plan.core_seconds));
   fmt::print("longest tuple  {} (row {})\n", duration(plan.longest_seconds), plan.longest_row);

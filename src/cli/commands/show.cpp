@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "base/printable.hpp"
 #include "cli/command.hpp"
 #include "cli/read_sweep.hpp"
 #include "store/rows/json.hpp"
@@ -59,9 +60,10 @@ void print_text(const StoredSweep& stored, const ShowOptions& options, const std
                 std::size_t matching) {
   const Table& table = stored.table;
   const std::string of = stored.complete ? "" : fmt::format(" of {}", stored.total);
-  fmt::print("{}\n{}: {}{} rows ({}), spec {:016x}, {} on {}, {} {}\n{}\n", table.info.title, options.table,
-             table.rows.size(), of, rows_by_status(table.rows), table.info.spec_hash, table.info.start, table.info.host,
-             table.info.ranks, table.info.ranks == 1 ? "rank" : "ranks", slice_line(table.info.slice));
+  fmt::print("{}\n{}: {}{} rows ({}), spec {:016x}, {} on {}, {} {}\n{}\n", printable(table.info.title), options.table,
+             table.rows.size(), of, rows_by_status(table.rows), table.info.spec_hash, printable(table.info.start),
+             printable(table.info.host), table.info.ranks, table.info.ranks == 1 ? "rank" : "ranks",
+             slice_line(table.info.slice));
   if (rows.empty()) {
     fmt::print("no such rows\n");
     return;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "plot/figure/coordinate.hpp"
@@ -76,10 +77,15 @@ class AxisRange {
   void include(double value) {
     if (!axis_.log || value > 0.0) range_.include(to_scale(axis_, value));
   }
-  /// Sets the ends of the axis: the range with a margin on both sides.
+  /// Sets the ends of the axis: the range with a margin on both sides. Values that differ by rounding only count as one
+  /// value: between them there is no room for the labels of the axis.
   void set_axis() {
+    constexpr double rounding = 1e-12;
     const auto [low, high] = range_.is_empty() ? Range{0.0, 0.0} : range_;
-    const double margin = high > low ? 0.04 * (high - low) : axis_.log ? 0.5 : std::max(0.5 * std::abs(low), 1e-3);
+    const double size = std::max(std::abs(low), std::abs(high)),
+                 one_value = axis_.log ? 0.5 : std::max(0.5 * size, 1e-3);
+    const double margin =
+        high - low > rounding * (axis_.log ? std::max(size, 1.0) : size) ? 0.04 * (high - low) : one_value;
     axis_.from = from_scale(axis_, low - margin);
     axis_.to = from_scale(axis_, high + margin);
   }
@@ -104,22 +110,41 @@ void set_ranges(Figure& figure, const PlotSpec& spec) {
   y.set_axis();
 }
 
-/// Keeps one symbol in each cell of about a symbol's size, of the curve that has the fewest so far. Curves that fall on
-/// one line all stay visible, and the picture of a huge sweep stays small.
-void thin_out_symbols(Figure& figure) {
+/// One symbol for each cell of about a symbol's size, of the curve that has the fewest so far, as curves and their
+/// points. Curves that fall on one line all stay visible by them. `shared`: only cells that several curves share.
+std::vector<std::vector<Point>> one_a_cell(const Figure& figure, bool shared) {
   constexpr double columns = 110.0, lines = 75.0;
   std::map<std::pair<long, long>, std::map<std::size_t, Point>> cells;
-  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+  for (std::size_t i = 0; i < figure.curves.size(); ++i)
     for (const Point& p : figure.curves[i].points)
       cells[{std::lround(columns * fraction(figure.x, p.x)), std::lround(lines * fraction(figure.y, p.y))}].try_emplace(
           i, p);
-    figure.curves[i].points.clear();
-  }
+  std::vector<std::vector<Point>> chosen(figure.curves.size());
   for (const auto& [place, candidates] : cells) {
-    const auto drawn = [&](const auto& candidate) { return figure.curves[candidate.first].points.size(); };
-    const auto& [curve, point] = *std::ranges::min_element(candidates, {}, drawn);
-    figure.curves[curve].points.push_back(point);
+    if (shared && candidates.size() < 2) continue;
+    const auto so_far = [&](const auto& candidate) { return chosen[candidate.first].size(); };
+    const auto& [curve, point] = *std::ranges::min_element(candidates, {}, so_far);
+    chosen[curve].push_back(point);
   }
+  return chosen;
+}
+
+std::size_t size_of(const std::vector<std::vector<Point>>& curves) {
+  return std::accumulate(curves.begin(), curves.end(), std::size_t{0},
+                         [](std::size_t sum, const auto& points) { return sum + points.size(); });
+}
+
+/// Chooses the symbols that are drawn in front of others. Of a huge sweep, whose picture would be huge, it leaves the
+/// others out and returns a note that says so.
+std::string arrange_symbols(Figure& figure) {
+  constexpr std::size_t few = 5000;
+  std::size_t all = 0;
+  for (const Curve& curve : figure.curves) all += curve.points.size();
+  std::vector<std::vector<Point>> chosen = one_a_cell(figure, all <= few);
+  const std::size_t drawn = size_of(chosen);
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    (all <= few ? figure.curves[i].front : figure.curves[i].points) = std::move(chosen[i]);
+  return all <= few ? "" : fmt::format("{} of {} symbols are drawn, the others are at the same places", drawn, all);
 }
 
 /// The field or expression for error bars; empty if there are none.
@@ -174,7 +199,8 @@ Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::str
   if (spec.fit) append(figure.note, fit_all(figure.curves, *spec.fit));
   set_ranges(figure, spec);
   figure.guides = guides.lines(figure);
-  if (spec.mean_over.empty() && !error) thin_out_symbols(figure);  // points with error bars are all kept
+  if (spec.mean_over.empty() && !error)
+    append(figure.note, arrange_symbols(figure));  // points with error bars are all kept
   return figure;
 }
 

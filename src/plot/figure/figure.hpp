@@ -22,7 +22,8 @@ struct Curve {
   std::string name;   ///< the values of the series, as plain text
   bool line = false;  ///< drawn as a dashed line (hard spheres beside soft ones) instead of symbols
   std::vector<Point> points{};
-  std::vector<Point> path{};  ///< the points to be joined, from left to right; may be empty
+  std::vector<Point> front{};  ///< those of the points that are drawn in front of other curves
+  std::vector<Point> path{};   ///< the points to be joined, from left to right; may be empty
   std::optional<Fit> fit{};
 };
 

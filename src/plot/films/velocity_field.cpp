@@ -1,5 +1,6 @@
 #include "plot/films/velocity_field.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "assembly/ground.hpp"
+#include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -31,13 +33,22 @@ std::vector<std::size_t> samples_of(const Panel& panel, std::size_t phase, std::
   return chosen;
 }
 
+/// Throws UsageError for a container of more cells than any lattice of the program has.
+void require_drawable(const VelocityField& field) {
+  constexpr std::size_t most_cells = 4'000'000;
+  if (field.columns > most_cells / field.rows)
+    throw UsageError(fmt::format("plot: a velocity field of {} x {} cells is too large: at most {} are drawn",
+                                 field.columns, field.rows, most_cells));
+}
+
 /// A field without beads. Its cells reach up to the highest bead, but at most to four times the rows of the lattice.
 VelocityField empty_field(Films films) {
   const Panel& first = *films.front();
   const Trajectory& t = first.trajectory;
   const double d = std::accumulate(t.diameter.begin(), t.diameter.end(), 0.0) / static_cast<double>(t.beads());
   VelocityField field;
-  field.columns = static_cast<std::size_t>(std::max(1.0, std::round(t.box_width / d)));
+  constexpr double most_columns = 1e9;  // fits into an integer
+  field.columns = static_cast<std::size_t>(std::clamp(std::round(t.box_width / d), 1.0, most_columns));
   field.width = t.box_width / static_cast<double>(field.columns);
   field.height = d;
   field.periodic = t.periodic;
@@ -49,6 +60,7 @@ VelocityField empty_field(Films films) {
                            z - plate_height(film->row.parameters, film->trajectory.time[k / film->trajectory.beads()]));
   field.rows =
       static_cast<std::size_t>(std::min(std::ceil(highest / d), 4.0 * static_cast<double>(first.row.parameters.rows)));
+  require_drawable(field);
   field.velocity.resize(field.columns * field.rows);
   field.filled.resize(field.columns * field.rows);
   return field;
@@ -79,7 +91,8 @@ VelocityField velocity_field(Films films, std::size_t phase, std::size_t phases)
         const double x = t.x[k] - t.box_width * std::floor(t.x[k] / t.box_width);
         const double z = t.z[k] - plate_height(film->row.parameters, t.time[s]);
         const double row = std::floor(z / field.height);
-        if (!(row >= 0.0 && row < static_cast<double>(field.rows))) continue;  // NaN after the solver gave up, too
+        if (!(row >= 0.0 && row < static_cast<double>(field.rows) && x >= 0.0))
+          continue;  // NaN after the solver gave up, too
         const Vec2<double> v{t.x_velocity[k], t.velocity[k]};
         const auto column = std::min(static_cast<std::size_t>(x / field.width), field.columns - 1);
         const std::size_t cell = static_cast<std::size_t>(row) * field.columns + column;

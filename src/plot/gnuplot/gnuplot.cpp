@@ -12,6 +12,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/process.hpp"
+#include "plot/gnuplot/fonts.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::plot {
@@ -40,6 +41,16 @@ int run(const StandardStreams& streams) {
 }
 
 bool is_empty(const AtomicFile& file) { return ::lseek(file.fd(), 0, SEEK_END) == 0; }
+
+/// The commands as gnuplot can draw them in this form: it takes the characters of bitmaps and PDFs from installed
+/// fonts.
+std::string drawable(const std::string& script, const std::string& path) {
+  if (form_of(path) == Form::svg) return script;
+  const auto [text, missing] = with_installed_fonts(script);
+  if (!missing.empty())
+    fmt::print(stderr, "sigmasweep: {}: no font that is installed has {}; see '?' (an SVG has them)\n", path, missing);
+  return text;
+}
 
 /// The error message of gnuplot in one line.
 std::string error_message(std::FILE* err) {
@@ -79,15 +90,35 @@ std::string panels_terminal(Form form, double width, double height) {
 }
 
 std::string quoted(std::string_view text) {
-  std::string out = "'";
+  std::string out = "\"";
   for (const char c : text) {
-    if (c == '\'') out += '\'';
-    out += std::iscntrl(static_cast<unsigned char>(c)) ? ' ' : c;
+    if (std::string_view("\"'`\\").find(c) != std::string_view::npos)
+      out += fmt::format("\\{:03o}", c);
+    else
+      out += std::iscntrl(static_cast<unsigned char>(c)) ? ' ' : c;
   }
-  return out + "'";
+  return out + "\"";
 }
 
-void run_gnuplot(const std::string& script, const std::string& path) {
+std::string quoted_markup(std::string_view text) {
+  std::string out;
+  bool font = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '/' && i > 0 && text[i - 1] == '{')
+      font = true;
+    else if (c == ' ' || c == '}')
+      font = false;
+    else if (font && std::isalnum(static_cast<unsigned char>(c)) == 0 &&
+             std::string_view("-_.,:=*+").find(c) == std::string_view::npos)
+      continue;
+    out += c;
+  }
+  return quoted(out);
+}
+
+void run_gnuplot(const std::string& commands, const std::string& path) {
+  const std::string script = drawable(commands, path);
   const Stream in = temporary_file(), err = temporary_file();
   if (std::fwrite(script.data(), 1, script.size(), in.get()) != script.size() || std::fflush(in.get()) != 0)
     throw OutputError(fmt::format("cannot write gnuplot's commands: {}", std::strerror(errno)));

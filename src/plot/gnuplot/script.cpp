@@ -133,7 +133,7 @@ std::string short_log_tics(const PlotAxis& axis) {
 }
 
 std::string axis_commands(char name, const PlotAxis& axis) {
-  std::string out = fmt::format("set {}label {}\n", name, quoted(axis.label));
+  std::string out = fmt::format("set {}label {}\n", name, quoted_markup(axis.label));
   if (axis.log) {
     out += fmt::format("set logscale {}\n", name);
     const double decades = std::log10(axis.to / axis.from);
@@ -172,6 +172,7 @@ class Drawing {
     std::size_t style = 0;
     for (const Curve& curve : figure.curves)
       if (!curve.line) add_symbols(curve, figure, style++);
+    add_front(figure);
     std::size_t rule = 0;
     for (const Curve& curve : figure.curves)
       if (curve.line)
@@ -197,9 +198,21 @@ class Drawing {
     const std::string_view bottom = figure.y.log ? "($2>$3?$2-$3:1e-300)" : "($2-$3)";
     if (!bars.empty())
       add(bars, "with yerrorbars pointtype 0 linewidth 1 " + colour, "", fmt::format("1:2:{}:($2+$3)", bottom));
-    add(curve.points,
-        fmt::format("with points pointtype {} pointsize 0.8 linewidth 1.3 {}", series_symbol(style), colour),
-        curve.label);
+    add(curve.points, symbols(style), curve.label);
+  }
+
+  /// Symbols in front of others, on white discs.
+  void add_front(const Figure& figure) {
+    for (const Curve& curve : figure.curves)
+      add(curve.front, "with points pointtype 7 pointsize 0.9 linecolor '#ffffff'", "");
+    std::size_t style = 0;
+    for (const Curve& curve : figure.curves)
+      if (!curve.line) add(curve.front, symbols(style++), "");
+  }
+
+  static std::string symbols(std::size_t style) {
+    return fmt::format("with points pointtype {} pointsize 0.8 linewidth 1.3 linecolor '{}'", series_symbol(style),
+                       series_colour(style));
   }
 
   void add(const std::vector<Point>& points, const std::string& how, const std::string& label,
@@ -207,7 +220,7 @@ class Drawing {
     if (points.empty()) return;
     data_ += data_block("data", count_, points);
     commands_ += fmt::format("{} $data{} using {} {} {}", commands_.empty() ? "plot" : ",", count_++, columns, how,
-                             label.empty() ? "notitle" : "title " + quoted(label));
+                             label.empty() ? "notitle" : "title " + quoted_markup(label));
   }
 
   std::string data_, commands_;
@@ -235,7 +248,7 @@ std::string gnuplot_script(const Figure& figure, Form form) {
       "set clip two\nset border 3 linecolor '#404040'\nset tics nomirror out\n"
       "set grid xtics ytics linetype 1 linecolor '#E4E4E4' linewidth 0.6\n"
       "set label 1 " +
-      quoted(note) + " at screen 0.985,0.025 right " + font(form, 0.75) + " textcolor '#606060'\n";
+      quoted_markup(note) + " at screen 0.985,0.025 right " + font(form, 0.75) + " textcolor '#606060'\n";
   if (!note.empty()) out += "set bmargin 4.8\n";
   out += (entries > longest_key ? "unset key" : key_place(figure, entries, letters) + " " + font(form, 0.8)) + "\n";
 

@@ -131,6 +131,15 @@ GuideSpec read_guide(const Entry& table) {
   return guide;
 }
 
+std::vector<GuideSpec> read_guides(const Entry& list) {
+  constexpr std::size_t most = 100;
+  const std::vector<Entry> tables = elements(list);
+  if (tables.size() > most) refuse(list, fmt::format("{} guides, but at most {} are allowed", tables.size(), most));
+  std::vector<GuideSpec> guides;
+  for (const Entry& table : tables) guides.push_back(read_guide(table));
+  return guides;
+}
+
 void require_drawable(const PlotSpec& plot, const Entry& table) {
   for (const GuideSpec& guide : plot.guides) {
     if (!guide.y && guide.curve.empty() && plot.x_log != plot.y_log)
@@ -192,7 +201,7 @@ PlotSpec read_plot(const Entry& plot, PlotSpec spec) {
     else if (entry.name == "fit")
       spec.fit = read_fit(entry);
     else if (entry.name == "guides")
-      for (const Entry& guide : elements(entry)) spec.guides.push_back(read_guide(guide));
+      spec.guides = read_guides(entry);
     else
       refuse_unknown(entry, plot_keys);
   }

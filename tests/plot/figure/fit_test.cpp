@@ -145,10 +145,10 @@ TEST(PlotFigure, MeansOfHardSpheresToo) {
 TEST(PlotScript, ShortLogarithmicAxesHaveLabels) {
   plot::Figure figure;
   figure.x = {.label = "", .log = true, .from = 1.8, .to = 22.0};
-  EXPECT_NE(plot::gnuplot_script(figure, plot::Form::svg).find("set xtics ('2' 2, '5' 5, '10' 10, '20' 20)"),
+  EXPECT_NE(plot::gnuplot_script(figure, plot::Form::svg).find(R"(set xtics ("2" 2, "5" 5, "10" 10, "20" 20))"),
             std::string::npos);
   figure.x = {.label = "", .log = true, .from = 3.1, .to = 4.05};
-  EXPECT_NE(plot::gnuplot_script(figure, plot::Form::svg).find("set xtics ('3.2' "), std::string::npos);
+  EXPECT_NE(plot::gnuplot_script(figure, plot::Form::svg).find(R"(set xtics ("3.2" )"), std::string::npos);
 }
 
 Row vibrated(double alpha, double excess, double error, Method method = Method::md) {
@@ -177,7 +177,7 @@ TEST(PlotFigure, GuidesMayBeExpressionsOfX) {
   EXPECT_NEAR(square.back().x, figure.x.to, 1e-14);
   for (const plot::Point& point : square) EXPECT_NEAR(point.y, 0.5e-3 * point.x * point.x, 1e-16);
   EXPECT_TRUE(figure.guides[1].path.empty());  // nowhere a number
-  EXPECT_NE(plot::gnuplot_script(figure, plot::Form::svg).find("title 'square'"), std::string::npos);
+  EXPECT_NE(plot::gnuplot_script(figure, plot::Form::svg).find("title \"square\""), std::string::npos);
   spec.guides = {{.label = "bad", .curve = "0.5*alpha"}};
   EXPECT_THROW(plot::figure_of(rows, spec, ""), UsageError);
 }
@@ -225,7 +225,7 @@ TEST(PlotFigure, GuidesThroughAPointAndThroughTheEndOfASeries) {
   EXPECT_EQ(figure.guides[2].path.front().y, 0.01);
   EXPECT_EQ(figure.guides[2].path.back().y, 0.01);
   const std::string script = plot::gnuplot_script(figure, plot::Form::svg);
-  for (const char* part : {"title 'a'", "title 'b'", "title 'c'", "dashtype"})
+  for (const char* part : {"title \"a\"", "title \"b\"", "title \"c\"", "dashtype"})
     EXPECT_NE(script.find(part), std::string::npos) << part;
 }
 

@@ -110,6 +110,15 @@ TEST(VelocityField, TransientAndRareGuestsAreLeftOut) {
 }
 
 /// Three containers that rotate at 1/s, 2/s and 6/s.
+TEST(VelocityField, BoxesThatHoldTooManyCellsAreRefused) {
+  Panel film = stirred([](double, double, double) { return Vec2<double>{}; });
+  const std::vector<const Panel*> one{&film};
+  for (const double columns : {0x1p61, 0x1p61 + 512.0, 1e300}) {  // times the rows, 0 and 4096 modulo 2^64
+    film.trajectory.box_width = columns * 1e-3;
+    EXPECT_THROW(velocity_field(one, 0, 4), UsageError) << columns;
+  }
+}
+
 TEST(VelocityField, FilmsAreAveraged) {
   std::vector<Panel> panels;
   for (const double rate : {1.0, 2.0, 6.0})
