@@ -19,14 +19,16 @@ int run_phases(const World& world, const RunOptions& options, const Reporter& re
   OpenSweep open = open_sweep(world, options, reporter);
   std::optional<Deadline> deadline = limit_time(world, open, options.max_seconds, stop, reporter);
   Computed computed;
-  if (!open.table_is_complete) {
+  bool finished = open.table_is_complete;
+  if (!finished) {
     NotedRun noted(world, open, reporter);
     computed = compute_rows(world, open, noted.notes(), deadline, stop, reporter);
-    if (!computed.is_complete) return exit_code::stopped;
-    write_rows(world, open);
+    finished = computed.is_complete;
+    if (finished) write_rows(world, open);
   }
-  if (!record_trajectories(world, open, stop, reporter)) return exit_code::stopped;
-  return report_rows(world, open, computed, reporter);
+  if (finished) finished = record_trajectories(world, open, stop, reporter);
+  if (options.json) return report_as_json(world, open, computed, finished, reporter);
+  return finished ? report_rows(world, open, computed, reporter) : exit_code::stopped;
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ struct RunOptions {
   std::string output;                       ///< path of the table; empty: default_table(spec)
   bool fresh = false;                       ///< start again, whatever is there
   bool quiet = false;                       ///< neither progress nor summary
+  bool json = false;                        ///< the summary as JSON on standard output
   std::optional<double> max_seconds;        ///< end within this time; the end of a Slurm job counts as well
   Slice slice;                              ///< compute these rows only
   bool extend = false;                      ///< take over the rows of the table of another spec that is to be replaced

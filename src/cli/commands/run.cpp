@@ -31,6 +31,7 @@ void declare(OptionSet& set, RunOptions& options) {
   set.add_flag("--fresh", "Start again and replace an existing table or journal", options.fresh);
   set.add_flag("--retry", "Compute rows again that were given up: time_limit, quarantined", options.retry);
   set.add_flag("-q,--quiet", "Neither progress nor summary", options.quiet);
+  set.add_flag("--json", "The summary as one JSON document on standard output; times in seconds", options.json);
   const auto take_time = [&options](const std::string& typed) {
     options.max_seconds = parse_duration(typed);
     return options.max_seconds.has_value();

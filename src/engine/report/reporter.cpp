@@ -14,10 +14,16 @@ void print_on_stderr(std::string_view text) {
     std::clearerr(stderr);
 }
 
+/// The stream remembers what could not be written.
+void print_on_stdout(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
 }  // namespace
 
-Reporter::Reporter(std::function<void(std::string_view)> print, bool quiet, std::optional<Terminal> terminal)
-    : print_(std::move(print)), quiet_(quiet), terminal_(terminal) {}
+Reporter::Reporter(Print print, bool quiet, std::optional<Terminal> terminal, Print print_document)
+    : print_(std::move(print)),
+      print_document_(print_document ? std::move(print_document) : print_on_stdout),
+      quiet_(quiet),
+      terminal_(terminal) {}
 
 Reporter Reporter::on_stderr(bool quiet) { return Reporter(print_on_stderr, quiet, terminal_of_stderr()); }
 
@@ -26,6 +32,8 @@ void Reporter::say(std::string_view message) const {
 }
 
 void Reporter::warn(std::string_view message) const { print_(fmt::format("sigmasweep: {}\n", message)); }
+
+void Reporter::document(std::string_view text) const { print_document_(text); }
 
 void Reporter::show(std::string_view text) const {
   if (!quiet_) print_(text);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <tuple>
@@ -45,30 +46,15 @@ double quantile(const std::vector<double>& values, double q) {
   return values[std::clamp<std::size_t>(rank, 1, values.size()) - 1];
 }
 
-template <class Format>
-std::string quantile_line(const char* what, std::vector<double> values, Format format) {
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  std::string line = fmt::format("  {:<15}", what);
-  for (const double q : {0.5, 0.9, 0.99, 1.0}) line += fmt::format("{:>11}", format(quantile(values, q)));
-  return line + "\n";
-}
-
-std::string quantiles(std::span<const Row> rows) {
-  std::vector<double> errors, height_errors, imbalances, times;
-  for (const Row& row : rows) {
-    errors.push_back(row.result.eps_eff_error);
-    height_errors.push_back(row.result.vibration.h_cm_error);
-    imbalances.push_back(std::abs(row.result.vibration.imbalance));
-    times.push_back(row.timing.run_time);
+std::string quantile_lines(std::span<const Row> rows) {
+  std::string lines = fmt::format("  {:<15}{:>11}{:>11}{:>11}{:>11}\n", "", "median", "90 %", "99 %", "max");
+  for (const auto& [name, values] : quantiles(rows)) {
+    lines += fmt::format("  {:<15}", name);
+    for (const double value : values)
+      lines += fmt::format("{:>11}", name == "run_time" ? readable_duration(value) : fmt::format("{:.1e}", value));
+    lines += "\n";
   }
-  const auto scientific = [](double value) { return fmt::format("{:.1e}", value); };
-  return fmt::format("  {:<15}{:>11}{:>11}{:>11}{:>11}\n", "", "median", "90 %", "99 %", "max") +
-         quantile_line("eps_eff_error", std::move(errors), scientific) +
-         quantile_line("h_cm_error", std::move(height_errors), scientific) +
-         quantile_line("|imbalance|", std::move(imbalances), scientific) +
-         quantile_line("run_time", std::move(times), readable_duration);
+  return lines;
 }
 
 std::string by_status(std::span<const Row> rows) {
@@ -83,7 +69,7 @@ std::string by_status(std::span<const Row> rows) {
 
 std::string makespan(const Work& work, int ranks, double wall_seconds) {
   if (work.rows == 0 || wall_seconds <= 0.0) return {};
-  const double bound = std::max(work.cpu_seconds / ranks, work.longest_seconds);
+  const double bound = least_seconds(work, ranks);
   return fmt::format("  computed {} rows in {} on {} rank{}: {:.1f} % of the best possible, {} (sum {}, longest {})\n",
                      work.rows, readable_duration(wall_seconds), ranks, ranks == 1 ? "" : "s",
                      100.0 * bound / wall_seconds, readable_duration(bound), readable_duration(work.cpu_seconds),
@@ -125,6 +111,29 @@ Universality universality(std::span<const Row> rows) {
   return result;
 }
 
+std::vector<Quantiles> quantiles(std::span<const Row> rows) {
+  std::array<std::vector<double>, 4> values;
+  for (const Row& row : rows) {
+    values[0].push_back(row.result.eps_eff_error);
+    values[1].push_back(row.result.vibration.h_cm_error);
+    values[2].push_back(std::abs(row.result.vibration.imbalance));
+    values[3].push_back(row.timing.run_time);
+  }
+  std::vector<Quantiles> all;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::erase_if(values[i], [](double value) { return std::isnan(value); });
+    if (values[i].empty()) continue;
+    std::sort(values[i].begin(), values[i].end());
+    static constexpr std::array names{"eps_eff_error", "h_cm_error", "|imbalance|", "run_time"};
+    Quantiles& found = all.emplace_back(Quantiles{names[i]});
+    std::ranges::transform(std::array{0.5, 0.9, 0.99, 1.0}, found.values.begin(),
+                           [&](double q) { return quantile(values[i], q); });
+  }
+  return all;
+}
+
+double least_seconds(const Work& work, int ranks) { return std::max(work.cpu_seconds / ranks, work.longest_seconds); }
+
 void Work::add(const Row& row) {
   ++rows;
   cpu_seconds += row.timing.run_time;
@@ -132,7 +141,7 @@ void Work::add(const Row& row) {
 }
 
 std::string summary(std::span<const Row> rows, const Work& work, int ranks, double wall_seconds) {
-  return by_status(rows) + quantiles(rows) + makespan(work, ranks, wall_seconds) + universal(universality(rows));
+  return by_status(rows) + quantile_lines(rows) + makespan(work, ranks, wall_seconds) + universal(universality(rows));
 }
 
 std::string summary(std::span<const Row> rows, int ranks, double wall_seconds) {

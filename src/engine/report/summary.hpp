@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "sigmasweep/model/row.hpp"
 
@@ -24,6 +26,18 @@ struct Work {
   double cpu_seconds = 0.0, longest_seconds = 0.0;
   void add(const Row& row);
 };
+
+/// The smallest value that half of the rows, 90 %, 99 % and all of them do not exceed, of the field `name`; rows
+/// without a value do not count.
+struct Quantiles {
+  std::string name;
+  std::array<double, 4> values{};
+};
+/// Of eps_eff_error, h_cm_error, |imbalance| and run_time (s), where rows have them.
+std::vector<Quantiles> quantiles(std::span<const Row> rows);
+
+/// max(sum/ranks, longest), s: no schedule of the work ends earlier.
+double least_seconds(const Work& work, int ranks);
 
 /// The text at the end of a sweep: rows by status, quantiles of error and run time, makespan against its lower bound
 /// max(sum/ranks, longest), universality. `wall_seconds` is the time that the computing of `work` took on `ranks`
