@@ -28,6 +28,7 @@ Examples:
   sigmasweep plan fig2a.toml --ranks 8                               predicted computing time of a sweep
   sigmasweep run fig2a.toml                                          the sweep on one core -> fig2a.h5
   mpirun sigmasweep run fig2a.toml                                   the same on all cores; run it again to go on
+  sigmasweep status fig2a.h5                                         how far it is, from any shell, at any time
   sigmasweep plot fig2a.h5 -o fig2a.svg                              the picture that the spec asks for
   sigmasweep show fig2a.h5 --where "sigma > 1 && method == md"       look at the table
 'sigmasweep COMMAND --help' says more. Units are SI everywhere.
