@@ -12,9 +12,9 @@
 /// The problem that the solvers solve, in any consistent system of units with bead mass 1.
 namespace sigmasweep {
 
-/// A column of N beads flying at `speed` into the wall. While contact k is closed (k = 0: the wall and bead 1; k: beads
-/// k and k+1) it pushes with F_k = K_k x_k^(1+beta) + C_k x_k^gamma x_k', x_k > 0 the overlap; Eqs. (2), (3), (8).
-/// Real is double, long double or a wider type.
+/// A column of N beads that flies into the wall at `speed`. Contact k is that of beads k and k+1, contact 0 that of the
+/// wall and bead 1. While it is closed its force is F_k = K_k x_k^(1+beta) + C_k x_k^gamma x_k', with the overlap x_k >
+/// 0; Eqs. (2), (3), (8). Real is double, long double or a wider type.
 template <class Real>
 struct Column {
   std::int64_t N = 1;
@@ -24,16 +24,16 @@ struct Column {
   Real eps{};               ///< pair restitution, Eq. (7)
   Real eps_wall{};          ///< wall restitution, for hard spheres
   Real K{}, C{};            ///< pair of mean beads: spring K/m and dashpot D_n, both over the mean bead's mass
-  Real K_wall{}, C_wall{};  ///< wall and mean bead
+  Real K_wall{}, C_wall{};  ///< spring and dashpot of the wall and the mean bead
   Exponents exponents{};    ///< beta, gamma; the linear law has 0, 0
-  std::vector<Real> mass;   ///< of beads 1..N over the mean bead's; empty where all are equal
-  std::vector<Real> gaps;   ///< initial, contact by contact; empty where all are `gap`
+  std::vector<Real> mass;   ///< masses of beads 1..N over the mean bead's; empty if all are equal
+  std::vector<Real> gaps;   ///< initial gap of each contact; empty if all are `gap`
 
   bool is_uniform() const { return mass.empty(); }
   std::size_t contacts() const { return static_cast<std::size_t>(N); }
-  /// Of contact k, counted from 0, the wall's.
+  /// Spring of contact k.
   Real spring(std::size_t k) const { return k == 0 ? K_wall : K; }
-  /// D_n m_ij, m_ij = 2 m_i m_j/(m_i + m_j), Eq. (3); at the wall D_n times the bead's mass.
+  /// Dashpot of contact k: D_n m_ij, m_ij = 2 m_i m_j/(m_i + m_j), Eq. (3); at the wall D_n times the bead's mass.
   Real dashpot(std::size_t k) const {
     if (mass.empty()) return k == 0 ? C_wall : C;
     return k == 0 ? Real(C_wall * mass[0]) : Real(C * 2 * mass[k - 1] * mass[k] / (mass[k - 1] + mass[k]));
@@ -41,12 +41,12 @@ struct Column {
   Real initial_gap(std::size_t k) const { return gaps.empty() ? gap : gaps[k]; }
   /// 1/m of bead i, counted from 0.
   Real inverse_mass(std::size_t i) const { return mass.empty() ? Real(1) : Real(1 / mass[i]); }
-  /// How fast the force F of contact k slows its own overlap down: x'' = -inertia F + ...; one over the reduced mass.
+  /// One over the reduced mass of contact k, by which its force F changes its own overlap: x'' = -inertia F + ...
   Real inertia(std::size_t k) const { return k == 0 ? inverse_mass(0) : Real(inverse_mass(k - 1) + inverse_mass(k)); }
 };
 
-/// The column in reduced units: time in tc, length in v0 tc. Only sigma, N and epsilon are left, nothing cancels; for
-/// laws that are not linear also their exponents. Random diameters and separations come from the seed alone.
+/// The column in reduced units: time in tc, length in v0 tc. Its parameters are sigma, N and epsilon, and for nonlinear
+/// laws the exponents. Random diameters and separations depend on the seed alone.
 template <class Real>
 Column<Real> reduced_column(const Parameters& parameters);
 
@@ -54,7 +54,7 @@ Column<Real> reduced_column(const Parameters& parameters);
 template <class Real>
 Column<Real> si_column(const Parameters& parameters);
 
-/// The ratios that a set of final velocities means. Masses as in Column: empty where all are 1.
+/// Energy ratios of final velocities. Masses as in Column: empty if all are 1.
 template <class Real>
 struct Energies {
   Real eps_eff{}, Er_Ef{}, Er_E0{}, v_cm{};  ///< as in SimulationResult; v_cm over the initial speed

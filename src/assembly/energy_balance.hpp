@@ -14,12 +14,12 @@
 
 namespace sigmasweep {
 
-/// Where sqrt(E/E_0), which ends as eps_eff, stands in the midst of a collision; E is kinetic and elastic energy.
-/// Any law and any masses: it is looked at rarely.
+/// The energy balance during a collision, for any law and any masses. E is the kinetic and elastic energy; sqrt(E/E_0)
+/// becomes eps_eff at the end.
 template <class Real>
 class EnergyBalance {
  public:
-  /// Contacts 0 (the wall) to N-1: which are closed, and their overlaps; velocities of the beads above them.
+  /// `closed` and `overlap` are of contacts 0 (the wall) to N-1, `velocity` of the beads above them.
   EnergyBalance(const Column<Real>& column, std::span<const std::uint8_t> closed, std::span<const Real> overlap,
                 std::vector<Real> velocity)
       : column_(column), closed_(closed), x_(overlap), v_(std::move(velocity)) {
@@ -32,10 +32,9 @@ class EnergyBalance {
     scale_ = sqrt(mass) * column.speed;
   }
 
-  /// At most by this much sqrt(E/E_0) can still fall. A closed contact will hand on
-  /// int F dt >= -C x^(1+gamma)/(1+gamma) from now until it opens. With that little handed on at once, what
-  /// residual_dissipation() says holds for the velocities v' that result: |P v'| is kept of sqrt(E). Norms are weighted
-  /// with the masses.
+  /// Upper bound of the further decrease of sqrt(E/E_0). A closed contact will transfer the momentum int F dt >= -C
+  /// x^(1+gamma)/(1+gamma) until it opens. If it transfers this minimum at once, the velocities v' result, for which
+  /// residual_dissipation() holds: |P v'| remains of sqrt(E). Norms are weighted with the masses.
   Real remaining() const {
     using std::sqrt;
     std::vector<Real> handed_on = v_;

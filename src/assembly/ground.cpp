@@ -22,13 +22,13 @@ Sine sine_of(double angle) {
   return {angle + sum, sum};
 }
 
-/// How long x takes to 0 under a load that stays what it is, all of them of either sign; NaN or infinite for never.
+/// Time until x is 0 under a constant load; NaN or infinite if it never is. All numbers may have either sign.
 double fall_time(const ContactState<double>& start, double load) {
   const double root = std::sqrt(start.u * start.u - 2.0 * load * start.x);
   return start.u > 0.0 ? -2.0 * start.x / (start.u + root) : (root - start.u) / load;
 }
 
-/// The plate's phase at t, s. Whole periods do not count, so that it is as exact after many of them.
+/// The plate's phase at t, s, without whole periods, so that it is as exact after many of them.
 double phase(const Parameters& p, double t) {
   const double turns = p.frequency * t;
   return 2.0 * std::numbers::pi * (turns - std::floor(turns));
@@ -79,15 +79,15 @@ double Plate::take_off(double t) const {
   return piece.concave ? t : t + piece.end;
 }
 
-/// A time at which the bead, thrown high, is still above the highest point of the plate. Spares landing() a walk
-/// through all the periods until then, at each collision that the bead has up there.
+/// A time at which a bead that was thrown high is still above the highest point of the plate. With it landing() does
+/// not search the periods before.
 double Plate::certain_flight(const ContactState<double>& now, double t) const {
   const double above = height(t) - now.x - A0, up = speed(t) - now.u;
   if (!(above > 0.0)) return 0.0;
   return std::max(0.0, (up + std::sqrt(up * up + 2.0 * g * above)) / g - 0.01 * period());
 }
 
-/// Up to when the load keeps the sign that it has just after `from`.
+/// The time from `from` on during which the load keeps its sign.
 auto Plate::piece_from(double t, double from) const -> Piece {
   if (!(alpha() > 1.0)) return {infinity, false};
   const double rise = std::asin(1.0 / alpha());  // the load is below 0 at phases between this and pi - this
@@ -97,7 +97,7 @@ auto Plate::piece_from(double t, double from) const -> Piece {
   return {from + (begun + until - now) / omega, until == std::numbers::pi - rise};
 }
 
-/// Where the closing speed, which falls from positive to negative between low and high, is 0.
+/// The time between low and high at which the closing speed, which falls from positive to negative, is 0.
 double Plate::highest(const ContactState<double>& entry, double t, double low, double high) const {
   for (int i = 0; i < bisections; ++i) {
     const double middle = 0.5 * (low + high);
@@ -107,7 +107,8 @@ double Plate::highest(const ContactState<double>& entry, double t, double low, d
   return low;
 }
 
-/// The overlap's only rise through 0 between low (below 0, or 0 and falling) and high (not below 0).
+/// The only time between low and high at which the overlap rises through 0. At low it is below 0, or 0 and falling; at
+/// high it is not below 0.
 double Plate::root(const ContactState<double>& entry, double t, double low, double high, double guess) const {
   for (int i = 0; i < bisections; ++i) {
     const ContactState<double> here = flight(entry, t, guess);

@@ -15,24 +15,24 @@ struct FixedWall {
   static constexpr bool moves = false;
 };
 
-/// What a solver's clock and lengths are in SI.
+/// Units of a solver for a vibrated column or lattice, in SI.
 struct VibrationUnits {
   double time, length;  ///< s, m
   double speed() const { return length / time; }
 };
 
-/// Soft spheres: tc and v0 tc, as in a column's collision. Hard ones: 1/omega and g/omega^2, in which alpha is all that
-/// there is of the plate.
+/// Units of soft spheres are tc and v0 tc, as in a collision. Units of hard spheres are 1/omega and g/omega^2, in which
+/// alpha is the only parameter of the plate.
 inline VibrationUnits vibration_units(const Parameters& p) {
   const double omega = 2.0 * std::numbers::pi * p.frequency;
   if (p.method == Method::ed) return {1.0 / omega, p.gravity / (omega * omega)};
   return {p.tc, p.v0 * p.tc};
 }
 
-/// A plate that vibrates as z0(t) = A0 sin(omega t), Eq. (1), under gravity g, in any consistent units. Seen from the
-/// plate, gravity and its acceleration act on the lowest bead's contact alone: the overlap x = z0 - h_1 + d/2 obeys
-///     x'' = load(t) + what the contacts do,  load(t) = g + z0''(t) = g - A0 omega^2 sin(omega t),
-/// and all the other contacts, between beads that fall alike, know of neither.
+/// A plate that vibrates as z0(t) = A0 sin(omega t), Eq. (1), under gravity g, in any consistent units. Gravity and the
+/// plate's acceleration act on the contact of the lowest bead alone, whose overlap x = z0 - h_1 + d/2 obeys
+///     x'' = load(t) + contact forces,  load(t) = g + z0''(t) = g - A0 omega^2 sin(omega t).
+/// They do not act on contacts between beads, which fall alike.
 struct Plate {
   static constexpr bool moves = true;
   double g = 0.0, A0 = 0.0, omega = 0.0;
@@ -50,26 +50,25 @@ struct Plate {
             2.0 * std::numbers::pi * p.frequency * units.time};
   }
 
-  /// The contact `elapsed` after it was `entry` at time t, if nothing touches the bead meanwhile. No differences of
-  /// sines at nearby times: an overlap of 1e-12 keeps its digits.
+  /// The contact at time `elapsed` after the state `entry` at time t, if nothing touches the bead meanwhile. It is
+  /// computed without differences of sines at nearby times, so that an overlap of 1e-12 keeps its digits.
   ContactState<double> flight(const ContactState<double>& entry, double t, double elapsed) const;
 
-  /// How long a flight from `entry` (x <= 0) at time t lasts: until the overlap rises through 0. Gravity ends each. The
-  /// load changes its sign at known times; between two of them the overlap is convex or concave, rises through 0 once
-  /// or not at all, and an iteration of Newton's from the right side cannot miss that. A touching contact that nothing
-  /// drives apart lands at once.
+  /// Duration of a flight from `entry` (x <= 0) at time t until the overlap rises through 0. Gravity ends every flight.
+  /// The load changes its sign at known times. Between two of them the overlap is convex or concave and rises through 0
+  /// at most once, so that Newton's method from the right side cannot miss it. A touching contact that is not driven
+  /// apart lands at once.
   double landing(ContactState<double> entry, double t) const;
 
-  /// Whether what rests on the plate at t stays there just afterwards.
+  /// Whether beads that rest on the plate at t stay there just afterwards.
   bool holds(double t) const { return !piece_from(t, 0.0).concave; }
 
-  /// The first time from t on at which the plate does not hold what rests on it; infinite where its acceleration stays
-  /// below g.
+  /// The first time from t on at which resting beads leave the plate; infinite if its acceleration never exceeds g.
   double take_off(double t) const;
 
  private:
   struct Piece {
-    double end;    ///< after t, as is the argument
+    double end;    ///< time after t
     bool concave;  ///< load < 0
   };
   Piece piece_from(double t, double from) const;
@@ -80,10 +79,10 @@ struct Plate {
 
 /// Height of the plate of complete parameters in SI, A0 sin(2 pi f t), Eq. (1), m; t in s.
 double plate_height(const Parameters& parameters, double t);
-/// Its speed then, m/s.
+/// Speed of the plate, m/s; t in s.
 double plate_speed(const Parameters& parameters, double t);
 
-/// The plate's work int F_0 z0' dt, and what the contacts lost.
+/// The plate's work int F_0 z0' dt, and the energy that the contacts dissipated.
 struct PlateWork {
   double in = 0.0, lost = 0.0;
   PlateWork& operator+=(const PlateWork& other) {

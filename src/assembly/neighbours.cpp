@@ -6,7 +6,7 @@
 namespace sigmasweep {
 namespace {
 
-/// Beads are on each other's lists up to this distance of their centres, in largest diameters.
+/// Largest distance of the centres of neighbours, in largest diameters.
 constexpr double reach_of_lists = 1.6;
 
 template <class Real>
@@ -121,7 +121,7 @@ void LatticeNeighbours<Real>::add_walls(std::size_t i, std::vector<Neighbour<Rea
   add(Neighbour<Real>::right, {Real(-1), Real(0)}, (Real(double(lattice_.columns) - 0.5) - place) * lattice_.a);
 }
 
-/// In half lattice constants sites are whole numbers apart, so that neighbours are seen to be neighbours.
+/// Distances of sites in half lattice constants are whole numbers, so that neighbours are recognised exactly.
 template <class Real>
 Bond<Real> LatticeNeighbours<Real>::bond(std::size_t i, std::size_t j, std::int32_t image) const {
   using std::sqrt;

@@ -66,21 +66,21 @@ struct Bond {
   }
 };
 
-/// Somebody that a bead may touch.
+/// A neighbour of a bead: another bead or a wall.
 template <class Real>
 struct Neighbour {
   static constexpr std::uint32_t bottom = UINT32_MAX, left = UINT32_MAX - 1, right = UINT32_MAX - 2;
-  std::uint32_t bead = 0;  ///< or a wall
-  std::int32_t image = 0;  ///< how many containers to the right of its own place it is
+  std::uint32_t bead = 0;  ///< number of the bead, or of a wall
+  std::int32_t image = 0;  ///< number of containers by which this image is to the right of the bead
   Bond<Real> bond;
   bool is_wall() const { return bead >= right; }
   bool is(std::uint32_t other, std::int32_t its_image) const { return bead == other && image == its_image; }
-  /// What bead `me` is for this neighbour.
+  /// Bead `me` as a neighbour of this one.
   Neighbour seen_from_there(std::uint32_t me) const { return {me, -image, {-bond.R, bond.length, bond.gap0}}; }
 };
 
-/// Whom each bead may touch, while it stays within `leeway()` of where it was when its list was made: see move().
-/// Lists are mutual. Beads without walls or others in reach have empty lists. Memory is linear in the beads.
+/// Neighbour lists of all beads. A list is valid while the bead stays within `leeway()` of its place when the list was
+/// made; see move(). Lists are mutual. Memory is linear in the number of beads.
 template <class Real>
 class LatticeNeighbours {
  public:
@@ -88,12 +88,12 @@ class LatticeNeighbours {
   explicit LatticeNeighbours(const Lattice<Real>& lattice);
 
   const std::vector<Neighbour<Real>>& of(std::size_t i) const { return lists_[i]; }
-  /// How far a bead may go from anchor(i) before its list must be made anew.
+  /// Largest distance of a bead from anchor(i) before its list must be made again.
   const Real& leeway() const { return leeway_; }
-  /// The displacement (from the site) at which its list was made.
+  /// The displacement of bead i from its site at which its list was made.
   const Vec2<Real>& anchor(std::size_t i) const { return anchor_[i]; }
-  /// Bead i is displaced by q now: makes its list anew, and enters it into those of others or deletes it there. Returns
-  /// those bonds of bead i that are new; valid until the next call.
+  /// Makes the list of bead i again, now with displacement q, and changes the lists of its neighbours. Returns the new
+  /// bonds of bead i, which are valid until the next call.
   const std::vector<Neighbour<Real>>& move(std::size_t i, const Vec2<Real>& q);
 
  private:

@@ -9,16 +9,16 @@
 
 namespace sigmasweep {
 
-/// The explicit Runge-Kutta scheme of order 8 with embedded estimates of orders 5 and 3 by Dormand and Prince, DOP853:
-/// E. Hairer, S. P. Norsett & G. Wanner, Solving Ordinary Differential Equations I (1993), II.5 and II.10. Its
-/// estimates look at the slopes all along the step, so that a kink within it does not stay unseen.
+/// The explicit Runge-Kutta scheme of order 8 by Dormand and Prince with embedded error estimates of orders 5 and 3,
+/// DOP853: E. Hairer, S. P. Norsett & G. Wanner, Solving Ordinary Differential Equations I (1993), II.5 and II.10. The
+/// estimates use slopes from the whole step, so that they see a kink within it.
 template <class Real, class Vector = std::vector<Real>>
 class DormandPrince {
  public:
   using State = Vector;  ///< std::vector or std::array
 
-  /// From (at, start), where the slope is known, over `span` to `end`; the size of the largest error of a component.
-  /// system(state, slope, at).
+  /// Makes a step of length `span` from the state `start` with slope `start_slope` at time `at` to the state `end`.
+  /// Returns the estimate of the largest error of a component. system(state, slope, at) computes the slope.
   template <class System>
   Real step(System&& system, const State& start, const State& start_slope, const Real& at, const Real& span,
             State& end) {
@@ -46,7 +46,7 @@ class DormandPrince {
     system(between, slope_[Stage], at + Real(nodes[Stage]) * span);
   }
 
-  /// y = start + span sum_j a_j k_j; row `Stage` of the scheme, the last one its result.
+  /// y = start + span sum_j a_j k_j with row `Stage` of the weights; the last row gives the end of the step.
   template <std::size_t Stage, std::size_t... J>
   void advance(const State& start, const Real& span, State& y, std::index_sequence<J...>) {
     const std::array<const Real*, sizeof...(J)> k{slope_[J].data()...};
@@ -70,7 +70,7 @@ class DormandPrince {
     for (std::size_t e = 0, n = slope_[0].size(); e < n; ++e) {
       const Real e5 = fabs(((Real(fifth_order[J]) * slope_[J][e]) + ...));
       const Real e3 = fabs(((Real(weights[count][J] - third_order[J]) * slope_[J][e]) + ...));
-      if (!(e5 <= fifth)) fifth = e5;  // NaN comes through
+      if (!(e5 <= fifth)) fifth = e5;  // keeps NaN
       if (!(e3 <= third)) third = e3;
     }
     if (fifth == Real(0)) return Real(0);

@@ -10,12 +10,13 @@
 
 #include "numerics/simd_pack.hpp"
 
-/// The first root of a polynomial on (0, 1], with a guarantee: no root is passed over.
+/// The first root of a polynomial on (0, 1]. No root is missed.
 ///
-/// In the Bernstein basis of [0, 1] the number of sign changes of the coefficients bounds the number of roots from
-/// above and has its parity (Descartes' rule in Bernstein form; e.g. Rouillier & Zimmermann, J. Comput. Appl. Math.
-/// 162, 33 (2004)). None: no root. One: exactly one, bracketed. More: halve the interval (de Casteljau), left half
-/// first. Two roots closer than rounding (a grazing contact) end in an interval of that width and count as a root.
+/// The number of sign changes of the coefficients in the Bernstein basis of [0, 1] is an upper bound of the number of
+/// roots and has the same parity (Descartes' rule in Bernstein form; e.g. Rouillier & Zimmermann, J. Comput. Appl.
+/// Math. 162, 33 (2004)). Without sign changes there is no root; with one there is exactly one root, which is
+/// bracketed. With more the interval is halved (de Casteljau), and the left half is searched first. Two roots closer
+/// than rounding (a grazing contact) end in an interval of this width and count as one root.
 namespace sigmasweep {
 
 template <class Real, int Order>
@@ -25,9 +26,9 @@ class FirstRoot {
  public:
   using Coefficients = std::array<Real, terms>;
 
-  /// Smallest t in [0, limit] at which p(t) = sum p_i t^i goes from positive to negative. p is known to be not negative
-  /// just before 0; where p_0 = 0 the sign of the first coefficient that is not zero decides, and 0 is returned when
-  /// p leaves downwards at once.
+  /// Smallest t in [0, limit] at which p(t) = sum p_i t^i changes from positive to negative. p must not be negative
+  /// just before 0. If p_0 = 0, the sign just after 0 is that of the first coefficient that is not zero; if it is
+  /// negative, the root is 0.
   static std::optional<Real> find(const Coefficients& p, const Real& limit) {
     std::size_t shift = 0;
     while (shift < terms && p[shift] == Real(0)) ++shift;
@@ -41,7 +42,7 @@ class FirstRoot {
   }
 
  private:
-  /// A lower triangular matrix, stored by columns of whole blocks.
+  /// A lower triangular matrix, stored by columns that are divided into blocks.
   class Triangle {
    public:
     template <class Entry>
@@ -72,7 +73,7 @@ class FirstRoot {
     std::array<std::array<Block, blocks>, terms> column_;
   };
 
-  /// q(t) -> q(scale t), in blocks so that the powers do not wait for each other.
+  /// Replaces q(t) by q(scale t), in blocks so that their powers are computed independently.
   static void rescale(Coefficients& q, const Real& scale) {
     constexpr std::size_t block = 5;
     std::array<Real, block> power;
@@ -84,12 +85,12 @@ class FirstRoot {
       for (std::size_t i = 0; i < block && first + i < terms; ++i) q[first + i] *= base * power[i];
   }
 
-  /// b_j = sum_{i <= j} C(j,i)/C(n,i) q_i.
+  /// Bernstein coefficients from coefficients q: b_j = sum_{i <= j} C(j,i)/C(n,i) q_i.
   static const Triangle& to_bernstein() {
     static const Triangle map([](std::size_t j, std::size_t i) { return binomial(j, i) / binomial(Order, i); });
     return map;
   }
-  /// de Casteljau at the middle: the left half's b_j = sum_{i <= j} C(j,i) 2^-j b_i.
+  /// Bernstein coefficients of the left half (de Casteljau): b_j = sum_{i <= j} C(j,i) 2^-j b_i.
   static const Triangle& to_left_half() {
     static const Triangle map([](std::size_t j, std::size_t i) {
       Real value = binomial(j, i);
@@ -112,15 +113,15 @@ class FirstRoot {
 
   static std::optional<Real> search(const Coefficients& q, const Coefficients& b, const Real& left, const Real& right,
                                     int depth) {
-    std::uint64_t negative = 0;  // bit i: b_i < 0; a zero counts as positive, which can only add sign changes
+    std::uint64_t negative = 0;  // bit i is set for b_i < 0; zero counts as positive, which can only add sign changes
     for (std::size_t i = 0; i < terms; ++i) negative |= std::uint64_t(b[i] < 0) << i;
     if (negative == 0) return std::nullopt;
-    if (negative & 1) return left;  // by rounding: the root is this interval's start
+    if (negative & 1) return left;  // negative by rounding: the root is the start of this interval
     const std::uint64_t all = (std::uint64_t(1) << terms) - 1;
     const int changes = std::popcount((negative ^ (negative << 1)) & all);  // q starts positive
     if (changes == 1) {
       const std::size_t last_positive = std::size_t(std::countr_zero(negative)) - 1;
-      // Where the control polygon crosses zero is close to the root.
+      // The zero of the control polygon is close to the root.
       const Real above = b[last_positive], below = b[last_positive + 1];
       const Real crossing = (Real(double(last_positive)) + above / (above - below)) / Real(Order);
       return refine(q, left, right, left + crossing * (right - left));
@@ -133,17 +134,17 @@ class FirstRoot {
     return search(q, right_half(b), middle, right, depth + 1);
   }
 
-  /// Newton's method from t, kept inside a bracket with q(left) > 0 > q(right).
+  /// Newton's method from t within a bracket, q(left) > 0 > q(right).
   static Real refine(const Coefficients& q, Real left, Real right, Real t) {
     if (!(t > left && t < right)) t = (left + right) / 2;
-    Real previous = 0;  // the last change, if that was a Newton step
+    Real previous = 0;  // the last change, or 0 if it was not a Newton step
     for (int iteration = 0; iteration < 200; ++iteration) {
       const auto [value, slope] = value_and_slope(q, t);
       if (value == Real(0)) return t;
       (value > 0 ? left : right) = t;
       const Real next = t - value / slope, change = next - t;
       const bool inside = next > left && next < right;
-      // Convergence is quadratic: after changes c' and c the next one is about c (c/c')^2.
+      // Convergence is quadratic: after the changes c' and c the next one is about c (c/c')^2.
       const Real to_come = previous == Real(0) ? change : Real(change * (change / previous) * (change / previous));
       if (magnitude(to_come) < Real(rounding) * t || magnitude(change) < Real(rounding) * t) return inside ? next : t;
       previous = inside ? change : Real(0);
@@ -156,7 +157,7 @@ class FirstRoot {
   struct ValueAndSlope {
     Real value, slope;
   };
-  /// Horner's rule for the even and the odd part in t^2, which run side by side.
+  /// Horner's rule in t^2 for the even and the odd part, which the processor evaluates in parallel.
   static ValueAndSlope value_and_slope(const Coefficients& q, const Real& t) {
     const Real t2 = t * t;
     Real even = 0, odd = 0, even_slope = 0, odd_slope = 0;  // slopes with respect to t^2

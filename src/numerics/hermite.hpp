@@ -12,8 +12,8 @@ struct Motion {
   Motion operator-() const { return {-x, -u, -a}; }
 };
 
-/// Hermite's polynomial of degree five in the fraction of a step of length h, with value, slope and curvature of both
-/// ends.
+/// Hermite's polynomial of degree five between two motions, the ends of a step of length h. It has their values, first
+/// and second derivatives.
 template <class Real>
 struct Quintic {
   std::array<Real, 6> c;
@@ -28,7 +28,7 @@ struct Quintic {
          6 * d - 3 * (v0 + v1) - (a0 - a1) / 2};
   }
 
-  /// At fraction s of the step of length h.
+  /// The motion at fraction s of the step of length h.
   Motion<Real> at(const Real& s, const Real& h) const {
     const Real x = c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
     const Real u = c[1] + s * (2 * c[2] + s * (3 * c[3] + s * (4 * c[4] + s * 5 * c[5])));
@@ -36,7 +36,7 @@ struct Quintic {
     return {x, u / h, a / (h * h)};
   }
 
-  /// Whether it certainly stays positive (or zero): Bernstein's coefficients, between whose smallest and largest it is.
+  /// Whether the polynomial is certainly not negative within the step, because none of its Bernstein coefficients is.
   static bool stays_positive(const Motion<Real>& from, const Motion<Real>& to, const Real& h) {
     const Real v0 = h * from.u / 5, a0 = h * h * from.a / 20, v1 = h * to.u / 5, a1 = h * h * to.a / 20;
     return from.x >= 0 && from.x + v0 >= 0 && from.x + 2 * v0 + a0 >= 0 && to.x - 2 * v1 + a1 >= 0 && to.x - v1 >= 0 &&
@@ -44,7 +44,7 @@ struct Quintic {
   }
 };
 
-/// The largest value between the ends of a step of length h, if above `known`; else `known`.
+/// The largest value within a step of length h, or `known` if it is larger.
 template <class Real>
 Real largest_between(const Motion<Real>& from, const Motion<Real>& to, const Real& h, const Real& known) {
   const Real largest = std::max({known, from.x, to.x});

@@ -6,7 +6,7 @@
 
 namespace sigmasweep {
 
-/// Uniform numbers in (-1, 1), the same in every run.
+/// A sequence of uniform numbers in (-1, 1), the same in every run.
 class Noise {
  public:
   double next() { return static_cast<double>(static_cast<std::int64_t>(random_bits(0, drawn_++))) * 0x1p-63; }

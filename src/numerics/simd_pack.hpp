@@ -3,7 +3,8 @@
 #include <array>
 #include <cstddef>
 
-// A loop over a few registers, unrolled so that they are registers. Sanitizers would put their checks into every copy.
+// Unrolls a loop over a few SIMD registers, so that they stay in registers. Not with sanitizers, which would add their
+// checks to every copy.
 #ifdef SIGMASWEEP_SANITIZED
 #define SIGMASWEEP_UNROLL
 #else
@@ -12,8 +13,8 @@
 
 namespace sigmasweep {
 
-/// Eight neighbouring numbers that go through the same arithmetic: one AVX-512 register (or what the machine has) for
-/// double, plain loops for the wide types.
+/// Eight neighbouring numbers with the same arithmetic: one AVX-512 register (or several smaller ones) for double,
+/// loops for wide types.
 template <class Real>
 struct SimdPack {
   static constexpr std::size_t count = 8;
@@ -45,7 +46,7 @@ struct SimdPack {
   friend SimdPack magnitude(const SimdPack& a) {
     return each([&](std::size_t i) { return a.v[i] < 0 ? Real(-a.v[i]) : a.v[i]; });
   }
-  /// c where a > b, else d (where one is NaN, too).
+  /// c where a > b, else d, also where a or b is NaN.
   friend SimdPack where_above(const SimdPack& a, const SimdPack& b, const SimdPack& c, const SimdPack& d) {
     return each([&](std::size_t i) { return a.v[i] > b.v[i] ? c.v[i] : d.v[i]; });
   }
@@ -53,11 +54,11 @@ struct SimdPack {
   friend SimdPack where_zero(const SimdPack& a, const SimdPack& b, const SimdPack& c) {
     return each([&](std::size_t i) { return a.v[i] == 0 ? b.v[i] : c.v[i]; });
   }
-  /// The neighbours below: lane i becomes a_{i-1}, lane 0 the last of `before`.
+  /// The neighbours below: number i becomes a_{i-1}, number 0 the last one of `before`.
   friend SimdPack shifted_up(const SimdPack& before, const SimdPack& a) {
     return each([&](std::size_t i) { return i == 0 ? before.v[count - 1] : a.v[i - 1]; });
   }
-  /// The neighbours above: lane i becomes a_{i+1}, the last lane the first of `after`.
+  /// The neighbours above: number i becomes a_{i+1}, the last number the first one of `after`.
   friend SimdPack shifted_down(const SimdPack& a, const SimdPack& after) {
     return each([&](std::size_t i) { return i + 1 == count ? after.v[0] : a.v[i + 1]; });
   }

@@ -6,7 +6,7 @@
 
 namespace sigmasweep {
 
-/// The earliest of a fixed set of times that change one at a time: a complete binary tree of minima, O(log n) a change.
+/// The earliest of n times, as a complete binary tree of minima. A change of one time takes O(log n).
 template <class Real>
 class Tournament {
  public:
@@ -28,7 +28,7 @@ class Tournament {
   }
   void remove(std::size_t player) { set(player, std::numeric_limits<Real>::infinity()); }
 
-  /// Who is next; ties go to the smaller index.
+  /// The index of the earliest time; of equal times the smallest index.
   std::size_t first() const { return winner_[1]; }
   const Real& time_of(std::size_t player) const { return time_[player]; }
 

@@ -10,10 +10,10 @@
 
 namespace sigmasweep {
 
-/// The tuple's result in SI units, without eps_eff_error, from an outcome in reduced units and the energies of its
-/// velocities. Where there is no result every number is NaN. AnyOutcome: of a column or a lattice.
+/// The tuple's result in SI units, without eps_eff_error, from an outcome of a column or a lattice in reduced units and
+/// the energies of its velocities. All numbers are NaN if there is no result.
 template <class AnyOutcome, class Real>
-SimulationResult in_si_with(const Energies<Real>& e, const AnyOutcome& outcome, const Parameters& parameters) {
+SimulationResult to_si_result(const Energies<Real>& e, const AnyOutcome& outcome, const Parameters& parameters) {
   SimulationResult c;
   c.end = outcome.end;
   c.status = outcome.status;
@@ -34,14 +34,14 @@ SimulationResult in_si_with(const Energies<Real>& e, const AnyOutcome& outcome, 
   return c;
 }
 
-/// The same of a column; masses as in Column.
+/// The result of a column in SI units; masses as in Column.
 template <class Real>
 SimulationResult to_si_result(const Outcome<Real>& outcome, const Parameters& parameters,
                               std::span<const Real> mass = {}) {
-  return in_si_with(energies<Real>(std::span<const Real>(outcome.velocity), Real(1), mass), outcome, parameters);
+  return to_si_result(energies<Real>(std::span<const Real>(outcome.velocity), Real(1), mass), outcome, parameters);
 }
 
-/// The collision with its error; a result that misses the tolerance is tolerance_missed.
+/// The result with its error bar. Its status becomes tolerance_missed if the error is larger than the tolerance.
 inline SimulationResult with_error(SimulationResult c, double eps_eff_error, double tolerance) {
   if (!std::isfinite(c.eps_eff)) return c;
   c.eps_eff_error = eps_eff_error;

@@ -2,27 +2,27 @@
 
 #include "sigmasweep/model/parameters.hpp"
 
-/// Parameters that follow from the given ones.
+/// Parameters that are derived from given ones.
 namespace sigmasweep {
 
-/// Which of the two gap parameters was given; the other one follows from it.
+/// The gap parameter that is given; the other one follows from it.
 enum class GapParameter : std::uint8_t { s0, sigma };
 
-/// `parameters` with what follows from what is given: the material's d, K_over_m and D_n; with a K_over_m > 0 tc and
-/// epsilon at v0; then the missing one of s0 and sigma. A pair too damped to come apart again (linear law: D_n >=
-/// sqrt(K_over_m)) has epsilon = 0, and as tc the contact time without damping, pi/sqrt(K_over_m), (A2) with beta = 0:
-/// a unit of time, not a duration. Only soft spheres (md) can be that damped.
+/// `parameters` with all derived ones: a material's d, K_over_m and D_n; tc and epsilon at v0 if K_over_m > 0; the
+/// other one of s0 and sigma. A pair that is too damped to separate (linear law: D_n >= sqrt(K_over_m)) has epsilon =
+/// 0. Its tc is a unit of time only, the contact time without damping, pi/sqrt(K_over_m), (A2) with beta = 0. Only soft
+/// spheres (md) can have such a damping.
 Parameters complete(Parameters parameters, GapParameter given);
 
-/// The steps of complete(), for those who remember what the first two gave: they take time, milliseconds for a material
-/// and 0.1 ms for a pair, with laws that are not linear.
+/// The steps of complete(), for caches of the results of the first two. For nonlinear laws a material takes
+/// milliseconds, a pair 0.1 ms.
 void derive_material(Parameters& parameters);
 void derive_pair(Parameters& parameters);
 void derive_gap(Parameters& parameters, GapParameter given);
-/// N of a lattice.
+/// Derives N of a lattice.
 void derive_beads(Parameters& parameters);
-/// A step of complete(), for what vibrates: alpha = A0 (2 pi f)^2/g and A0, the missing one from the other. Where
-/// both are there and differ A0 counts. What is complete already stays as it is, to the bit.
+/// Derives the missing one of alpha = A0 (2 pi f)^2/g and A0 for a plate. If both are given and differ, alpha is
+/// derived from A0. Complete parameters do not change by a bit.
 void derive_plate_motion(Parameters& parameters);
 
 }  // namespace sigmasweep

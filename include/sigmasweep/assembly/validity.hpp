@@ -6,7 +6,8 @@
 
 namespace sigmasweep {
 
-/// Empty when `parameters` describe a collision; else one sentence naming the parameter, its value and what is allowed.
+/// The reason why `parameters` are not valid: one sentence with a parameter, its value and the allowed values. It is
+/// empty if they are valid.
 std::string why_invalid(const Parameters& parameters);
 
 }  // namespace sigmasweep

@@ -6,15 +6,15 @@
 
 namespace sigmasweep {
 
-/// How long one simulation may be computed: until the thread that made the object has used so much CPU time, or until a
-/// stop is asked for. The solvers ask in their loops. There is one object for each simulation, used by one thread.
+/// The limit of one simulation: a CPU time of the thread that made the object, or a stop. Solvers check it in their
+/// loops. Each simulation has an object of its own, which one thread uses.
 class ComputeBudget {
  public:
-  /// `limit`: s. `stop` is called every 20 ms or so; what it throws, the solver throws.
+  /// `limit` is the CPU time, s. `stop` is called about every 20 ms; the solver throws the exceptions of `stop`.
   explicit ComputeBudget(double limit, std::function<bool()> stop = {});
 
-  /// Whether to give up; once true it stays true. `work` is the work since the last question, as the number of contacts
-  /// moved by a step. The clock is read after each 10,000 of these, a fraction of a millisecond in double.
+  /// Whether the solver must give up; once true it stays true. `work` is the number of contact steps since the last
+  /// call. The clock is read after each 10,000 contact steps, which take less than a millisecond in double precision.
   bool is_over(std::uint64_t work) {
     if (work < left_) {
       left_ -= work;

@@ -12,16 +12,16 @@
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/row.hpp"
 
-/// The registry of fields: names, units, places, relevance and validity of everything a row holds. The spec's keys,
+/// The registry of fields: names, units, symbols, relevance and validity of all members of a row. The spec's keys,
 /// `where`, the table's members, show, export and plot are made from it.
 namespace sigmasweep {
 
-/// How a field is stored: a number, or one byte that numbers the enumerators of an enumeration.
+/// The type of a field: a number, or an enumeration, which is stored as one byte.
 struct FieldType {
   enum class Storage : std::uint8_t { real, integer, unsigned_integer, integer32, enumeration };
 
   Storage storage = Storage::real;
-  std::span<const std::string_view> names{};  ///< of an enumeration: its enumerators, in the order of their numbers
+  std::span<const std::string_view> names{};  ///< enumerators of an enumeration, in the order of their numbers
 
   static const FieldType real, integer, unsigned_integer, integer32;
   /// The type of a member of type T: double, a whole number or an enumeration.
@@ -52,16 +52,16 @@ constexpr FieldType FieldType::of() {
   }
 }
 
-/// What a tuple must be for a field to count.
+/// A condition on tuples that use a field.
 struct Condition {
   bool (*holds)(const Parameters&);
-  std::string_view needs;  ///< the same for messages: "method = 'md'"
+  std::string_view needs;  ///< the condition in messages: "method = 'md'"
 };
 
-/// The values that a parameter may have, whatever the other parameters are.
+/// The values that a parameter may have with any values of the others.
 struct AllowedValues {
   bool (*contain)(double) = nullptr;             ///< null: all
-  std::string_view must_be{};                    ///< the same for messages: "a finite speed > 0 m/s"
+  std::string_view must_be{};                    ///< the values in messages: "a finite speed > 0 m/s"
   bool (*checked)(const Parameters&) = nullptr;  ///< the tuples whose value is checked; null: all
 };
 
@@ -71,14 +71,14 @@ template <class Owner>
 struct FieldOf {
   std::string_view name;
   FieldType type;
-  std::size_t offset;           ///< of the member within Owner, bytes
-  std::string_view unit{};      ///< SI; "1" where there is none
-  std::string_view meaning{};   ///< one line, for the table's attributes and help
+  std::size_t offset;           ///< place of the member within Owner, bytes
+  std::string_view unit{};      ///< SI; "1" if the field is dimensionless
+  std::string_view meaning{};   ///< one line for help and the table's attributes
   std::string_view symbol{};    ///< in gnuplot's markup; empty: the name
   std::string_view quantity{};  ///< label of an axis, in gnuplot's markup, without the unit; empty: the symbol
-  std::array<const Condition*, 2> applies{};  ///< all that are not null must hold; none: it counts for every tuple
+  std::array<const Condition*, 2> applies{};  ///< conditions on tuples that use the field; null: none
   AllowedValues allowed{};
-  const Condition* always_column{};  ///< of a parameter: tuples whose tables have it even if it is no axis; null: none
+  const Condition* always_column{};  ///< tuples whose tables have the parameter even if it is no axis; null: none
 };
 using Field = FieldOf<Row>;
 using ParameterField = FieldOf<Parameters>;
@@ -90,11 +90,11 @@ std::span<const Field> timing_fields();
 /// The parameters as members of Parameters, in the order of parameter_fields().
 std::span<const ParameterField> fields_of_parameters();
 
-/// The three lists one after the other; and their names.
+/// Parameters, results and timings, and their names.
 std::vector<Field> all_fields();
 std::vector<std::string_view> field_names();
 
-/// The field of that name, from any of the three lists, or nullptr.
+/// The parameter, result or timing of this name, or nullptr.
 const Field* find_field(std::string_view name);
 const ParameterField* find_parameter(std::string_view name);
 
@@ -109,33 +109,34 @@ const std::byte* member(const FieldOf<Owner>& field, const Owner& owner) {
 }
 }  // namespace field_access
 
-/// A field's value as a number; of an enumerator its own number.
+/// The value of a field as a number; for an enumerator its number.
 template <class Owner>
 double number(const FieldOf<Owner>& field, const Owner& owner) {
   return field_access::number(field.type, field_access::member(field, owner));
 }
 
-/// A field's value as users read it: the enumerator's name; or the shortest decimal that reads back as the same double,
-/// nan or inf.
+/// The value of a field as text: the enumerator's name; or the shortest decimal that reads back as the same double, nan
+/// or inf.
 template <class Owner>
 std::string text(const FieldOf<Owner>& field, const Owner& owner) {
   return field_access::text(field.type, field_access::member(field, owner));
 }
 
-/// Sets a field from a number(); integers must be whole, enumerators one of their numbers.
+/// Sets the value of a field from a number(), which must be whole for an integer, and that of an enumerator for an
+/// enumeration.
 template <class Owner>
 void set_number(const FieldOf<Owner>& field, Owner& owner, double value) {
   field_access::set_number(field.type, reinterpret_cast<std::byte*>(&owner) + field.offset, value);
 }
 
-/// Why the field cannot have this value, whatever the other parameters are: one sentence that names the field, the
-/// value, shown as `text`, and what is allowed; empty if it can.
+/// The reason why the field cannot have this value with any values of the others: one sentence with the field, the
+/// value as `text` and the allowed values. It is empty if the value is allowed.
 template <class Owner>
 std::string why_refused(const FieldOf<Owner>& field, double value, std::string_view text);
 extern template std::string why_refused(const Field&, double, std::string_view);
 extern template std::string why_refused(const ParameterField&, double, std::string_view);
 
-/// The names of a field's values if it is an enumeration, in the order of their numbers; empty for numbers.
+/// The enumerators of a type, in the order of their numbers; empty for numbers.
 constexpr std::span<const std::string_view> enumerators(const FieldType& type) { return type.names; }
 
 }  // namespace sigmasweep

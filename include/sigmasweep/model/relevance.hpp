@@ -4,11 +4,11 @@
 
 #include "sigmasweep/model/fields.hpp"
 
-/// Which fields count for a tuple, from the conditions that the fields carry.
+/// Relevance of fields for a tuple, from the conditions in the registry.
 namespace sigmasweep {
 
-/// Whether the tuple depends on this parameter as a given one: not if its solver does not look at it, nor if it follows
-/// from others (tc and epsilon from K_over_m, these from the material). Of a result: whether the tuple has it.
+/// Whether the tuple uses this parameter as a given one. It does not use a parameter that its solver ignores, or that
+/// follows from others (tc and epsilon from K_over_m, these from the material). For a result: whether the tuple has it.
 template <class Owner>
 bool applies_to(const FieldOf<Owner>& field, const Parameters& tuple) {
   for (const Condition* condition : field.applies)
@@ -16,7 +16,7 @@ bool applies_to(const FieldOf<Owner>& field, const Parameters& tuple) {
   return true;
 }
 
-/// What a tuple must have to use the field, for messages: "method = 'md'"; empty if every tuple uses it.
+/// The condition on tuples that use the field, for messages: "method = 'md'"; empty if every tuple uses it.
 template <class Owner>
 std::string requirement_of(const FieldOf<Owner>& field) {
   std::string needs;

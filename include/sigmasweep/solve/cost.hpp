@@ -4,8 +4,8 @@
 
 namespace sigmasweep {
 
-/// Predicted CPU time of simulate(parameters), s. Only the schedule, the progress bar and `plan` depend on it, no
-/// result does. Every solver predicts its own: see solver.cpp in its folder.
+/// Predicted CPU time of simulate(parameters), s. Schedule, progress bar and `plan` depend on it, results do not. Each
+/// solver has its own prediction, in the solver.cpp of its folder.
 double predicted_time(const Parameters& parameters);
 
 }  // namespace sigmasweep

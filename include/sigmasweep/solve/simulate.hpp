@@ -8,14 +8,13 @@
 
 namespace sigmasweep {
 
-/// Result of the run that complete `parameters` describe: a pure function, the same bits for the same parameters on one
-/// build. Never throws, never hangs: a tuple that cannot be computed has a status that says so, and parameters that
-/// why_invalid() refuses are Status::failed. Where `budget` came to its end the result is Status::time_limit, whatever
-/// had been found by then.
+/// The result of a tuple, whose parameters must be complete. It is a pure function: one build gives the same bits for
+/// the same parameters. It never throws and never hangs. A tuple that cannot be computed has a status with the reason;
+/// parameters that why_invalid() refuses have Status::failed. If `budget` ends, the status is time_limit.
 SimulationResult simulate(const Parameters& parameters, ComputeBudget* budget = nullptr) noexcept;
 
-/// Results of many tuples at once, results[i] being simulate(parameters[i]) to the bit. Solvers that compute several
-/// tuples side by side are faster so. Both spans have the same size; std::invalid_argument if not.
+/// The results of several tuples, each of them simulate(parameters[i]) to the bit. It is faster with solvers that
+/// compute several tuples side by side. Throws std::invalid_argument unless both spans have the same size.
 void simulate_many(std::span<const Parameters> parameters, std::span<SimulationResult> results);
 
 }  // namespace sigmasweep

@@ -4,10 +4,10 @@
 
 namespace sigmasweep {
 
-/// Whether the manager rank also computes. automatic: yes, unless there are many ranks.
+/// Whether the manager rank also computes. Automatic means that it does unless there are many ranks.
 enum class ManagerRole { automatic, computes, dedicated };
 
-/// [run] of a spec: how it is computed. Not part of what a tuple is.
+/// The table [run] of a spec, options of the computation. No result depends on it.
 ///
 ///     manager          = "auto"   # or "computes", "dedicated"
 ///     tuple_time_limit = 60       # CPU time after which a tuple is given up, s

@@ -29,7 +29,7 @@ SimulationResult stepped(const Parameters& p, double work, ComputeBudget* budget
   if (is_lattice(p)) {
     const auto lattice = reduced_lattice<double>(p);
     const auto outcome = fixed_step_lattice_collision(lattice, p.integrator, dt, limits);
-    return in_si_with(energies(lattice, outcome.velocity), outcome, p);
+    return to_si_result(energies(lattice, outcome.velocity), outcome, p);
   }
   const auto column = reduced_column<double>(p);
   return to_si_result<double>(fixed_step_collision(column, p.integrator, dt, limits), p, column.mass);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double rounding = 1e-9;  // of the spectral radius
 
-/// Of the matrix A diag(K), a row's sum of magnitudes.
+/// Sum of the magnitudes in row i of the matrix A diag(K).
 double row_sum(const Column<double>& column, std::size_t i, double (Column<double>::*K)(std::size_t) const) {
   double sum = column.inertia(i) * (column.*K)(i);
   if (i > 0) sum += column.inverse_mass(i - 1) * (column.*K)(i - 1);
@@ -25,8 +25,8 @@ double row_sum(const Column<double>& column, std::size_t i, double (Column<doubl
   return sum;
 }
 
-/// Of the law's F = K x^(1+beta) + C x^gamma x', for a small motion about the overlap that m v^2/2 = K
-/// x^(2+beta)/(2+beta) gives a mean bead at the wall: k for K = 1, and c for C = 1.
+/// Spring and dashpot, for K = 1 and C = 1, of a small motion by F = K x^(1+beta) + C x^gamma x' about the overlap x of
+/// a mean bead at the wall with m v^2/2 = K x^(2+beta)/(2+beta).
 Mode about_overlap(const Column<double>& column) {
   const double beta = column.exponents.beta;
   const double x = std::pow((2.0 + beta) * column.speed * column.speed / (2.0 * column.K_wall), 1.0 / (2.0 + beta));
@@ -40,7 +40,8 @@ double growth_per_step(Integrator integrator, const Mode& mode) {
   return spectral_radius(scheme_info(integrator).step_map(mode));
 }
 
-/// The overlaps obey x'' = -A (K x + C x'), A = tridiag(-1/m_(k-1), 1/m_(k-1) + 1/m_k, -1/m_k), K and C diagonal.
+/// The overlaps obey x'' = -A (K x + C x') with A = tridiag(-1/m_(k-1), 1/m_(k-1) + 1/m_k, -1/m_k); K and C are
+/// diagonal.
 ClosedContacts closed_contacts(const Column<double>& column) {
   const auto height = static_cast<double>(column.N);
   const Mode single = about_overlap(column);

@@ -28,10 +28,10 @@ void observe_hard_spheres(const Column<double>& column, EdRule rule, Samples& sa
 
 namespace {
 
-/// Collisions up to which a column is tried in the wide type: about half a second.
+/// Largest number of collisions in the wide type: about half a second.
 constexpr std::uint64_t quad_limit = 150'000;
 
-/// `column` with eps, and with it the wall's, and what is not the same for all beads changed in their last bits.
+/// `column` with changes in the last bits of eps, the wall's restitution, and unequal masses and gaps.
 template <class Real>
 Column<Real> twin_of(Column<Real> column) {
   const Real bits = 16 * std::numeric_limits<Real>::epsilon();
@@ -46,7 +46,7 @@ Column<Real> twin_of(Column<Real> column) {
 
 struct Computed {
   SimulationResult result;
-  double clock_resolution_error;  ///< of eps_eff, see HardSphereColumn
+  double clock_resolution_error;  ///< see HardSphereColumn
 };
 
 template <class Real>
@@ -59,13 +59,13 @@ Computed computed_in(const Parameters& p, HardSphereSettings settings, const Run
   Outcome<Real> outcome = run.run(nobody);
   outcome.t_k *= length_of(column);
   const bool given_up = outcome.status == Status::event_limit;
-  if (given_up) outcome.status = Status::tolerance_missed;  // what is left to dissipate says by how much
+  if (given_up) outcome.status = Status::tolerance_missed;  // by the energy that can still be dissipated
   SimulationResult c = to_si_result(outcome, p, mass);
   const double collisions_per_bead = static_cast<double>(outcome.contacts) / static_cast<double>(p.N);
   Real error = std::numeric_limits<Real>::epsilon() * spread(column.mass) * (4 + collisions_per_bead);
   error += residual_dissipation<Real>(outcome.velocity, Real(1), mass);
   if (!given_up) {
-    // Other collisions count as simultaneous, too, as in columns that come close to collapse, and escape.
+    // The twin has more simultaneous collisions, which matter in columns that come close to a collapse.
     const Column<Real> twin = twin_of(column);
     settings.same_time *= 64.0;
     settings.collapsed_speed *= 64.0;
@@ -78,7 +78,7 @@ Computed computed_in(const Parameters& p, HardSphereSettings settings, const Run
   return {c, static_cast<double>(run.clock_resolution_error())};
 }
 
-/// The better of two results. Where the clock was too coarse for both, they differ by what that may matter.
+/// The result with the smaller error. If the resolution of time limits both, their difference bounds its error.
 SimulationResult better_of(const Computed& fast, const Computed& wide, double tolerance) {
   const SimulationResult &f = fast.result, &w = wide.result;
   const double fast_error = f.eps_eff_error + fast.clock_resolution_error;

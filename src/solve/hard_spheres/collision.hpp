@@ -7,42 +7,42 @@
 #include "solve/outcome.hpp"
 #include "solve/run_limits.hpp"
 
-/// Event-driven hard spheres (ED): instant collisions, free flight in between. Collisions at the same time go by the
-/// largest-relative-velocity rule (LRV): of all touching pairs that approach, the fastest is next.
+/// Event-driven hard spheres (ED): instant collisions with free flight between them. Simultaneous collisions follow the
+/// largest-relative-velocity rule (LRV): the fastest of all touching pairs that approach collides next.
 namespace sigmasweep {
 
 class Samples;
 
 struct HardSphereSettings {
-  EdRule rule = EdRule::lrv;     ///< energy loss of a collision
+  EdRule rule = EdRule::lrv;     ///< the collisions that dissipate energy
   bool predict_collapse = true;  ///< finish a collapse of equal beads as soon as it is certain; for tests
-  /// Times closer than this, relative, are the same time: equal gaps and matched restitutions make exactly simultaneous
-  /// collisions, which rounding pulls apart by about 1e-16 a collision of the bead.
+  /// Largest relative difference of simultaneous times. Equal gaps and matched restitutions make exactly simultaneous
+  /// collisions, which rounding separates by about 1e-16 for each collision of the bead.
   double same_time = 1e-12;
-  /// A pair that collides again in next to no time, and by now is slower than this (units v0), will do so for ever:
-  /// inelastic collapse.
+  /// Largest speed, in v0, of an inelastic collapse: a pair that collides again almost at once and more slowly will do
+  /// so infinitely often.
   double collapsed_speed = 1e-16;
 };
 
-/// One collision of the column with its restitutions eps and eps_wall; K and C play no role. In units of the gap and
-/// the speed the result of EdRule::lrv depends on N, the restitutions, mass and gap ratios only, so that is how it is
-/// computed: to the last bit it is the same for every gap > 0 and every speed. Status::ok; collapsed; event_limit, with
-/// the velocities so far. Limit of its own: 1e7 + 10 N^2 collisions, but at most 2e8.
+/// Computes the collision of the column with its restitutions eps and eps_wall; K and C are not used. Units are the gap
+/// and the speed, in which the result of EdRule::lrv depends on N, restitutions, mass and gap ratios only. It is the
+/// same to the bit for every gap > 0 and every speed. Status: ok; collapsed; event_limit, with the velocities so far.
+/// The solver's own limit is 1e7 + 10 N^2 collisions, but at most 2e8.
 ///
-/// With EdRule::tc a collision is elastic, also at the wall, if one of the two beads has collided less than column.tc
-/// ago; the wall has no clock of its own. There is no inelastic collapse then. Of a column that starts in touch
-/// (gap = 0) all collisions are at time zero, in the order of the LRV rule: the first one, bead 1 and the wall, loses
-/// energy, the others, zero time later, do not; that is also the limit of small gaps.
+/// With EdRule::tc a collision, also with the wall, is elastic if one of the beads has collided less than column.tc
+/// ago. There is no inelastic collapse then. In a column that starts in touch (gap = 0) all collisions are at time
+/// zero, in the order of the LRV rule. The first one, of bead 1 and the wall, dissipates energy; the others do not.
+/// This is also the limit of small gaps.
 Outcome<double> hard_sphere_collision(const Column<double>& column, const HardSphereSettings& settings = {},
                                       const RunLimits& limits = {});
 
-/// The tuple's collision. eps_eff_error: what the result changes by when eps, and masses and gaps that are not all the
-/// same, change in their last bits (that shows the condition of the problem) and same_time changes, a bound on the
-/// rounding of the collisions, and what is left to dissipate at the end.
+/// Computes the tuple's collision. eps_eff_error is the sum of the change of the result by changes of eps, unequal
+/// masses and gaps in their last bits and of same_time; a bound of the rounding errors of collisions; the dissipation
+/// that is possible after the end; and the error by the finite resolution of time.
 SimulationResult simulate_hard_spheres(const Parameters& parameters, ComputeBudget* budget = nullptr);
 
-/// The run seen by the samples, and over with the last of them. The clock starts with the fall. Units: the gap and the
-/// speed; where there is no gap, any length.
+/// Computes the collision until the last sample is taken. Time counts from the start of the fall. Units are the gap, or
+/// without a gap any length, and the speed.
 void observe_hard_spheres(const Column<double>& column, EdRule rule, Samples& samples);
 
 }  // namespace sigmasweep

@@ -16,19 +16,19 @@
 
 namespace sigmasweep {
 
-/// A relative velocity that is this much smaller than the two it is the difference of is rounding: it is zero.
+/// Relative size of a difference of two velocities up to which it is rounding and counts as zero.
 template <class Real>
 inline const Real cancelled = Real(1e-14);
 template <>
 inline const Quad cancelled<Quad> = Quad(1e-30);
 
-/// The unit of length: the gap, if there is one.
+/// The unit of length: the gap, or 1 without a gap.
 template <class Real>
 Real length_of(const Column<Real>& column) {
   return column.gap > 0 ? column.gap : Real(1);
 }
 
-/// How much faster than the heaviest bead the lightest one can be with the same energy.
+/// Ratio of the speeds of the lightest and the heaviest bead with the same energy.
 template <class Real>
 Real spread(const std::vector<Real>& mass) {
   using std::sqrt;
@@ -66,7 +66,7 @@ class HardSphereColumn {
     schedule(0);
   }
 
-  /// Seen by a watcher, NullObserver or Samples, with whose last sample it may end.
+  /// Runs the collision with an observer, NullObserver or Samples; it may end with the last sample.
   template <class Watcher>
   Outcome<Real> run(Watcher& watcher) {
     show(watcher, 0.0);
@@ -87,9 +87,9 @@ class HardSphereColumn {
     return outcome_;
   }
 
-  /// Error of eps_eff, after run(), because the clock was too coarse. In a series of ever faster collisions, which may
-  /// or may not be infinite, times cease to be told apart; where the beads go from there is uncertain by their speeds
-  /// relative to each other. The largest of these speeds, times the share that rounding has in the time to the next
+  /// Error of eps_eff, after run(), by the finite resolution of time. In a series of ever faster collisions, finite or
+  /// infinite, times become indistinguishable, and velocities are uncertain by the relative speeds of the beads. The
+  /// error is the largest of these speeds, times the rounding error of time relative to the time until the next
   /// collision.
   Real clock_resolution_error() const {
     Real largest = 0;
@@ -99,9 +99,9 @@ class HardSphereColumn {
 
  private:
   inline static const Real infinity = std::numeric_limits<Real>::infinity();
-  /// A pair that collides again within this fraction of the time so far collides in next to no time.
+  /// Fraction of the time so far within which a pair collides again almost at once.
   static constexpr double again = 1e-6;
-  /// Roundings of the clock, in such a series.
+  /// Number of rounding errors of time in a series of collisions.
   static constexpr double roundings = 64.0;
 
   struct Contact {
@@ -111,7 +111,7 @@ class HardSphereColumn {
     Real below = 0.5, above = 0.5;  ///< share of the lower and the upper bead in a change of u, by their masses
   };
 
-  /// The present flights hold up to and at `time`.
+  /// Takes samples up to and at `time`, for which the present flights are valid.
   template <class Watcher>
   void show(Watcher& watcher, const Real& time) const {
     if constexpr (Watcher::observes)
@@ -144,7 +144,7 @@ class HardSphereColumn {
   }
   std::span<const Real> masses() const { return std::span(mass_).subspan(mass_.empty() ? 0 : 1); }
 
-  /// To the next time at which anybody collides, and all who do become touching.
+  /// Advances to the time of the next collision. All contacts that collide then become touching.
   template <class Watcher>
   void advance(Watcher& watcher) {
     std::size_t k = due_.first();
@@ -163,9 +163,9 @@ class HardSphereColumn {
 
   bool same_as_now(const Real& time) const { return time - now_ <= settings_.same_time * now_; }
 
-  /// Contact k, the next to collide, can change eps_eff by at least m_ij u^2/(4 M), m_ij = 2 m_i m_j/(m_i + m_j), M
-  /// the mass of the column, so there is no need to look before that is small; and then not at every collision. A
-  /// contact in a series of ever faster collisions is left to it.
+  /// Whether the collision is settled. Contact k, the next to collide, can change eps_eff by at least m_ij u^2/(4 M)
+  /// with m_ij = 2 m_i m_j/(m_i + m_j) and the mass M of the column, so that it is checked only when this is small, and
+  /// not at every collision. It is not settled during a series of ever faster collisions.
   bool is_settled(std::size_t k) {
     const Contact& contact = state_[k];
     if (contact.u > settled_below_ || outcome_.contacts < next_look_) return false;
@@ -183,7 +183,7 @@ class HardSphereColumn {
     impacts_.set(k, -state_[k].u);  // LRV: the fastest is first
   }
 
-  /// The touching contact that approaches fastest: a collision, or the last of infinitely many.
+  /// The collision of the touching contact that approaches fastest, or its collapse.
   void meet(std::size_t k) {
     const Contact& contact = state_[k];
     const bool collapsed = contact.u < settings_.collapsed_speed && is_again(contact, now_);
@@ -201,8 +201,8 @@ class HardSphereColumn {
     collide(k);
   }
 
-  /// The TC model: one of the two beads has collided, with the other one or its other neighbour, less than tc ago.
-  /// Times that are the same count as such even where tc is too short for the clock; just tc is not less.
+  /// Whether a collision is elastic in the TC model: one of the two beads has collided less than tc ago. Simultaneous
+  /// times are equal even if tc is below the resolution of time; exactly tc is not less than tc.
   bool is_elastic(std::size_t k) const {
     Real last = state_[k].last;
     if (k > 0) last = std::max(last, state_[k - 1].last);
@@ -211,7 +211,8 @@ class HardSphereColumn {
     return now_ - last < std::max(Real(memory_ - resolution), resolution);
   }
 
-  /// u -> -e u. The beads share the change (1 + e) u by their masses; at the wall the bead takes all of it.
+  /// A collision, u -> -e u. The change (1 + e) u is shared by the two beads according to their masses; at the wall it
+  /// belongs to the bead.
   void collide(std::size_t k) {
     Contact& contact = state_[k];
     const Real u = contact.u, e = memory_ > 0 && is_elastic(k) ? Real(1) : k == 0 ? e_wall_ : e_;
@@ -227,7 +228,7 @@ class HardSphereColumn {
     last_wall_ = now_;
   }
 
-  /// The neighbour of a collision closes faster by `change`.
+  /// Changes the closing speed of a contact next to a collision by `change`.
   void change_rate(std::size_t k, const Real& change) {
     using std::abs;
     Contact& contact = state_[k];
@@ -278,12 +279,12 @@ class HardSphereColumn {
       touching_.push_back(static_cast<double>(state_[j].u));
   }
 
-  /// However the beads of a cluster that is certain to collapse got there, they stay together.
+  /// Clears the clock errors in a cluster that is certain to collapse, because its beads stay together in any case.
   void clear_clock_errors(const Cluster& cluster) {
     for (std::size_t j = 0; j + 1 < cluster.beads; ++j) state_[lowest_ + cluster.first + j].clock_error = 0;
   }
 
-  /// Infinitely many collisions, done at once.
+  /// Replaces the infinitely many collisions of a collapse.
   void collapse(const Cluster& cluster) {
     outcome_.status = Status::collapsed;
     const std::size_t first = lowest_ + cluster.first, end = first + cluster.beads - 1;
@@ -313,18 +314,18 @@ class HardSphereColumn {
   Real e_, e_wall_;
   HardSphereSettings settings_;
   StopLogic stop_;
-  Real memory_ = 0;  ///< the TC model's contact time; 0: collisions always lose
+  Real memory_ = 0;  ///< contact time of the TC model; 0: all collisions dissipate
   std::vector<Contact> state_;
-  std::vector<Real> mass_;  ///< below contact k, and the top one; the first is the wall. Empty where all are 1
+  std::vector<Real> mass_;  ///< of the bead below contact k, and of the top bead; the first is the wall's; empty: all 1
   Real spread_;
-  Tournament<Real> due_;      ///< approaching: when
-  Tournament<Real> impacts_;  ///< touching and approaching: minus how fast
+  Tournament<Real> due_;      ///< times of the next collisions of approaching contacts
+  Tournament<Real> impacts_;  ///< minus the closing speeds of touching contacts that approach
   Real now_ = 0, first_wall_ = -1, last_wall_ = 0;
   Real settled_below_ = 0;
   double touching_gap_;
   std::uint64_t next_look_ = 0, next_try_ = 0;
-  std::vector<double> touching_;  ///< closing speeds of a run of touching contacts ...
-  std::size_t lowest_ = 0;        ///< ... the lowest of which is this one
+  std::vector<double> touching_;  ///< closing speeds of a run of touching contacts
+  std::size_t lowest_ = 0;        ///< lowest contact of this run
   Outcome<Real> outcome_;
 };
 

@@ -20,30 +20,29 @@ namespace sigmasweep {
 
 class VibratedSamples;
 
-/// Hard spheres on a plate that vibrates under gravity, from collision to collision; the beads start at rest relative
-/// to the plate, all gaps as in the column. Lengths and times are the plate's, masses are over the mean bead's,
-/// contacts are numbered 0 (the plate) to N-1. The state is each contact's gap and closing speed at its own time.
+/// Hard spheres on a plate that vibrates under gravity, from collision to collision. Beads start at rest relative to
+/// the plate, with the gaps of the column. Units are vibration_units() and the mean bead's mass. Contacts are numbered
+/// 0 (the plate) to N-1. The state is the gap and the closing speed of each contact at its own time.
 ///
 /// Gaps between beads in flight change uniformly. The lowest beads may rest on the plate, as touching beads that move
-/// with it, until it falls away faster than gravity; the contact above them, 0 if none rests, is the one that the plate
-/// and gravity drive.
+/// with it, until it falls faster than gravity. The contact above the resting beads (0 if none rests) is driven by
+/// plate and gravity.
 ///
-/// Bounces get ever shorter, infinitely many in finite time. Beads whose next bounces would all be over within 1e-8
-/// periods are at rest on the plate from now on, and those that collapse in flight (column.hpp) go on as
-/// touching beads.
+/// Bounces become shorter and shorter, infinitely many in finite time. A bead whose next bounces would all be over
+/// within 1e-8 periods comes to rest on the plate. Beads that collapse in flight (column.hpp) remain touching.
 class VibratedHardSpheres {
  public:
   struct Settings {
     EdRule rule = EdRule::lrv;
-    double tc = 0.0;                          ///< of EdRule::tc
-    std::uint64_t period_limit = 20'000'000;  ///< collisions in a period before giving up
+    double tc = 0.0;                          ///< contact time of EdRule::tc
+    std::uint64_t period_limit = 20'000'000;  ///< largest number of collisions in a period
   };
 
-  /// Limit of its own: 2e10 collisions.
+  /// The solver's own limit is 2e10 collisions.
   VibratedHardSpheres(const Column<double>& column, const Plate& plate, const Settings& settings,
                       const RunLimits& limits = {});
 
-  /// Until the watcher has seen enough (vibration_statistics.hpp says what one is), or status() says why not.
+  /// Runs until the observer is done (see VibrationStatistics), or until status() has a reason to stop.
   template <class Watcher>
   void run(Watcher& watcher) {
     while (!watcher.done() && !gives_up()) {
@@ -79,8 +78,8 @@ class VibratedHardSpheres {
   struct Contact {
     double gap = 0.0, u = 0.0, since = 0.0;
     double last = -infinity;          ///< time of the last collision
-    double fastest = 0.0;             ///< of the collisions that have followed on each other in next to no time
-    double mass = 1.0;                ///< of the bead above
+    double fastest = 0.0;             ///< largest speed in a series of collisions almost at the same time
+    double mass = 1.0;                ///< mass of the bead above
     double below = 0.0, above = 1.0;  ///< share of the lower and the upper bead in a change of u, by their masses
   };
 
@@ -122,29 +121,29 @@ class VibratedHardSpheres {
   double period_, e_, e_wall_;
   bool equal_masses_;
   std::vector<Contact> contacts_;
-  double heaviest_speed_;       ///< how much faster than the heaviest bead the lightest one can be with the same energy
-  Tournament<double> due_;      ///< approaching: when
-  Tournament<double> impacts_;  ///< touching and approaching: minus how fast
-  double now_ = 0.0, load_, plate_speed_;  ///< now
-  std::size_t resting_ = 0;                ///< beads that rest on the plate; the number of the driven contact
-  bool aimless_ = true;                    ///< when the driven contact is due is not known yet
-  double take_off_ = infinity;             ///< when those that rest will leave the plate
-  double booked_ = 0.0;                    ///< what those had of energy_with_plate() when their work was last entered
+  double heaviest_speed_;       ///< ratio of the speeds of the lightest and the heaviest bead with the same energy
+  Tournament<double> due_;      ///< times of the next collisions of approaching contacts
+  Tournament<double> impacts_;  ///< minus the closing speeds of touching contacts that approach
+  double now_ = 0.0, load_, plate_speed_;  ///< at the present time
+  std::size_t resting_ = 0;                ///< number of beads that rest on the plate, and index of the driven contact
+  bool aimless_ = true;                    ///< the time of the driven contact's collision is not known yet
+  double take_off_ = infinity;             ///< time at which the resting beads leave the plate
+  double booked_ = 0.0;                    ///< energy_with_plate() of the resting beads when their work was last added
   double resting_mass_ = 0.0;
   double start_energy_ = 0.0;
-  double in_ = 0.0, dissipated_ = 0.0;          ///< the plate's work and what collisions lost in this period ...
-  double all_in_ = 0.0, all_dissipated_ = 0.0;  ///< ... and before: small terms would vanish beside these sums
+  double in_ = 0.0, dissipated_ = 0.0;          ///< the plate's work and the dissipation in this period
+  double all_in_ = 0.0, all_dissipated_ = 0.0;  ///< the same in earlier periods, apart to keep small terms exact
   Status status_ = Status::ok;
   std::uint64_t collisions_ = 0, period_began_ = 0, next_try_ = 0;
   std::vector<double> touching_;  ///< closing speeds of a run of touching contacts
 };
 
-/// The run of a vibrated column of hard spheres: SimulationResult::vibration, contacts, end and status. A column that
-/// collapses is Status::collapsed, and so is one whose beads come to rest on the plate. With EdRule::tc there is no
-/// such end of bouncing: a bead goes on in hops of about tc, so that a period takes some 1/(f tc) collisions a bead.
-/// Status::event_limit after 2e7 collisions in one period, as of elastic beads that the plate only just lifts.
+/// Computes a vibrated column of hard spheres: SimulationResult::vibration, contacts, end and status. The status is
+/// collapsed if beads collapse or come to rest on the plate. With EdRule::tc beads do not come to rest, but bounce for
+/// about tc, so that a period has about 1/(f tc) collisions for each bead. The status is event_limit after 2e7
+/// collisions in one period, as of elastic beads that the plate hardly lifts.
 SimulationResult simulate_vibrated_hard_spheres(const Parameters& parameters, ComputeBudget* budget = nullptr);
-/// The same seen by the samples, in vibration_units(), relative to the plate; over with the last sample.
+/// Computes a vibrated column until the last sample is taken. Samples are in vibration_units(), relative to the plate.
 void observe_vibrated_hard_spheres(const Parameters& parameters, VibratedSamples& samples);
 
 }  // namespace sigmasweep

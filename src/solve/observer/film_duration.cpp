@@ -8,12 +8,12 @@
 namespace sigmasweep {
 namespace {
 
-/// Times from the start of the fall, s.
+/// Times of the first and the last contact with the wall, from the start of the fall, s.
 struct Contacts {
   double first, last;
 };
 
-/// Rounds the first contact's time before the duration is added to it.
+/// Contacts of a collision. Not inlined, so that the time of the first contact is rounded before t_k is added.
 [[gnu::noinline]] Contacts contacts_with_wall(double first_contact, const SimulationResult& collision) {
   return {first_contact, first_contact + collision.t_k};
 }

@@ -3,7 +3,7 @@
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/model/result.hpp"
 
-/// Durations of films that show a run, s; NaN where there is no result. See show_time() for the rules.
+/// Durations of films, s; NaN for a row without a result. See show_time() for the rules.
 namespace sigmasweep {
 
 double film_of_column(const Parameters& parameters, const SimulationResult& collision);

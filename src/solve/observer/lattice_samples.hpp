@@ -13,8 +13,8 @@
 
 namespace sigmasweep {
 
-/// The watcher that records a lattice: displacements from the sites and velocities of all beads at given times, in the
-/// solver's units, the clock starting with the fall (or with the plate's motion). Used as Samples (samples.hpp).
+/// The observer that records a lattice: displacements from the sites and velocities of all beads at given times, in the
+/// solver's units. Time counts from the start of the fall, or of the plate's motion. See Samples.
 class LatticeSamples {
  public:
   static constexpr bool observes = true;
@@ -23,7 +23,7 @@ class LatticeSamples {
   LatticeSamples(std::vector<double> times, std::size_t beads)
       : times_(std::move(times)), beads_(beads), q_(times_.size() * beads, nowhere), v_(q_) {}
 
-  /// Takes the samples up to and at `time` by `state(t, q, v)`.
+  /// Takes the samples up to and at `time`. `state(t, q, v)` writes displacements and velocities at t.
   template <class State>
   void until(double time, State&& state) {
     for (; !done() && times_[taken_] <= time; ++taken_) state(times_[taken_], q(taken_), v(taken_));
@@ -41,7 +41,7 @@ class LatticeSamples {
   std::vector<Vec2<double>> q_, v_;
 };
 
-/// LatticeSamples of a vibrated lattice, whose solvers keep time within the plate's period and say when one is over.
+/// The observer that records a vibrated lattice. Its solvers count time from the start of the plate's present period.
 class VibratedLatticeSamples {
  public:
   static constexpr bool observes = true;

@@ -15,7 +15,7 @@ std::vector<double> masses(const Lattice<double>& lattice) {
 
 double total(const std::vector<double>& mass) { return std::accumulate(mass.begin(), mass.end(), 0.0); }
 
-/// Mean number of rows below a bead, weighted with the masses.
+/// Mean number of rows below a bead, weighted by mass.
 double rows_below(const Lattice<double>& lattice) {
   double sum = 0.0, mass = 0.0;
   for (std::size_t i = 0; i < lattice.count(); ++i) {
@@ -25,7 +25,7 @@ double rows_below(const Lattice<double>& lattice) {
   return sum / mass;
 }
 
-constexpr double row_height = std::numbers::sqrt3 / 2.0;  // lattice constants
+constexpr double row_height = std::numbers::sqrt3 / 2.0;  // in lattice constants
 
 }  // namespace
 

@@ -12,7 +12,8 @@
 
 namespace sigmasweep {
 
-/// Watches a vibrated lattice as VibrationStatistics does a column. At rest the lattice is closed.
+/// The observer that averages over a vibrated lattice, as VibrationStatistics does over a column. At rest all contacts
+/// of the lattice are closed.
 class LatticeStatistics {
  public:
   static constexpr bool observes = true;
@@ -20,7 +21,8 @@ class LatticeStatistics {
   LatticeStatistics(const Parameters& parameters, const Lattice<double>& lattice, const Plate& plate,
                     const VibrationUnits& units);
 
-  /// `state(t, q, v)` fills in displacements from the sites and velocities of all beads, relative to the plate.
+  /// Takes the samples up to and at `time`, within the period. `state(t, q, v)` writes displacements from the sites and
+  /// velocities of all beads, relative to the plate.
   template <class State>
   void until(double time, State&& state) {
     averages_.until(time, [&](double t) {
@@ -31,15 +33,15 @@ class LatticeStatistics {
   void end_period(double energy, double in, double lost) { averages_.end_period(energy, in, lost); }
   bool done() const { return averages_.done(); }
 
-  /// NaN where not even one period was measured; without separations.
+  /// The averages, without separations; NaN if no period was measured.
   Vibration result() const { return averages_.result(); }
 
  private:
   void take(double t);
 
   Plate plate_;
-  std::vector<double> mass_;  ///< over the lattice's
-  double above_rest_ = 0.0;   ///< the centre of mass of the sites
+  std::vector<double> mass_;  ///< as fractions of the lattice's
+  double above_rest_ = 0.0;   ///< height of the sites' centre of mass above its height at rest
   VibrationAverages averages_;
   std::vector<Vec2<double>> q_, v_;
 };

@@ -9,14 +9,14 @@
 namespace sigmasweep {
 namespace {
 
-/// A solver's units in SI, and the start of its clock.
+/// A solver's units in SI, and the origin of its time.
 struct Units {
   double time, length;  ///< s, m
-  double start;         ///< s after the start of the fall
+  double start;         ///< origin of the solver's time, s after the start of the fall
   bool on_plate;        ///< overlaps and rates are relative to the plate
 };
 
-/// Samples of the fall before the clock starts: uniform motion.
+/// Overlaps and rates at time t of the fall before the solver starts, a uniform motion.
 void fall(const Column<double>& column, double t, std::span<double> x, std::span<double> u) {
   for (std::size_t k = 0; k < x.size(); ++k) {
     x[k] = -column.initial_gap(k);
@@ -26,13 +26,13 @@ void fall(const Column<double>& column, double t, std::span<double> x, std::span
   u[0] = column.speed;
 }
 
-/// z_i = plate - (x_0 + ... + x_i), v_i the same with u.
+/// Adds the heights of all beads, z_i = plate - (x_0 + ... + x_i), or their velocities from the rates.
 void add_up(std::span<const double> of_contacts, double unit, double plate, std::vector<double>& of_beads) {
   double sum = 0.0;
   for (const double value : of_contacts) of_beads.push_back(plate - unit * (sum += value));
 }
 
-/// watch(samples) fills in the samples. Not inlined, so that units are rounded before they are used.
+/// The trajectory of a column whose samples watch(samples) takes. Not inlined, so that units are rounded before use.
 template <class Watch>
 [[gnu::noinline]] Trajectory record(const Parameters& p, std::span<const double> times, const Column<double>& column,
                                     const Units& units, const Watch& watch) {

@@ -9,11 +9,11 @@
 namespace sigmasweep {
 namespace {
 
-/// watch(samples) fills in the samples; on a plate they are relative to it.
+/// The trajectory of a lattice whose samples watch(samples) takes, on a plate relative to it.
 template <class Watch>
 Trajectory record(const Parameters& p, std::span<const double> times, const Lattice<double>& lattice, bool on_plate,
                   const Watch& watch) {
-  const double time = p.tc, length = p.v0 * p.tc;  // of the solvers' units
+  const double time = p.tc, length = p.v0 * p.tc;  // the solvers' units, s and m
   std::vector<double> reduced;
   for (const double t : times) reduced.push_back(t / time);
   LatticeSamples samples(std::move(reduced), lattice.count());

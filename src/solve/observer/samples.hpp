@@ -10,13 +10,13 @@
 
 namespace sigmasweep {
 
-/// The watcher of a run that nobody records: solvers leave out what they would show it.
+/// The observer of a run that is not recorded. Solvers compute nothing for it.
 struct NullObserver {
   static constexpr bool observes = false;
 };
 
-/// The watcher that records a run: overlaps x and rates u = x' of all contacts at given times, in the solver's units.
-/// Solvers tell it, before anything changes, up to which time their present state holds.
+/// The observer that records a column: overlaps x and rates u = x' of all contacts at given times, in the solver's
+/// units. Before a solver changes its state, it calls until() with the time up to which the state is valid.
 class Samples {
  public:
   static constexpr bool observes = true;
@@ -27,14 +27,14 @@ class Samples {
         x_(times_.size() * contacts, std::numeric_limits<double>::quiet_NaN()),
         u_(x_) {}
 
-  /// Takes the samples up to and at `time` by `state(t, x, u)`, which fills in overlaps and rates at t.
+  /// Takes the samples up to and at `time`. `state(t, x, u)` writes overlaps and rates at t.
   template <class State>
   void until(double time, State&& state) {
     for (; !done() && times_[taken_] <= time; ++taken_)
       state(times_[taken_], std::span(x_).subspan(taken_ * contacts_, contacts_),
             std::span(u_).subspan(taken_ * contacts_, contacts_));
   }
-  /// Whether all samples are taken: the solver may stop.
+  /// Whether all samples are taken, so that the solver may stop.
   bool done() const { return taken_ == times_.size(); }
 
   std::span<const double> x(std::size_t sample) const { return std::span(x_).subspan(sample * contacts_, contacts_); }
@@ -46,7 +46,7 @@ class Samples {
   std::vector<double> x_, u_;
 };
 
-/// The same of a vibrated column, whose solvers keep time within the plate's period and say when one is over.
+/// The observer that records a vibrated column. Its solvers count time from the start of the plate's present period.
 class VibratedSamples {
  public:
   static constexpr bool observes = true;

@@ -21,8 +21,8 @@ double scatter(std::span<const double> values) {
                          [&](double sum, double v) { return sum + (v - middle) * (v - middle); });
 }
 
-/// The standard error of a mean of values that know of each other: the largest of those from blocks of 1, 2, 4, ...
-/// values (H. Flyvbjerg & H. G. Petersen, J. Chem. Phys. 91, 461 (1989)), as long as there are 16 blocks.
+/// The standard error of the mean of correlated values: the largest standard error of the means of blocks of 1, 2, 4,
+/// ... values, down to 16 blocks (H. Flyvbjerg & H. G. Petersen, J. Chem. Phys. 91, 461 (1989)).
 double error_of_mean(std::vector<double> values) {
   double largest = Vibration::nan;
   do {
@@ -34,8 +34,8 @@ double error_of_mean(std::vector<double> values) {
   return largest;
 }
 
-/// The smallest number of periods after which the values, taken once a period, come back to within `same` of
-/// their scatter, or of `scale`; 0 where none does.
+/// The smallest number of periods after which the values, one a period, repeat to within 2 % of their standard
+/// deviation or 1e-6 `scale`; 0 if there is none.
 std::size_t repeats_after(std::span<const double> values, double scale) {
   constexpr double same = 0.02, still = 1e-6;
   if (values.size() < 2) return 0;
@@ -91,7 +91,7 @@ Vibration VibrationAverages::result() const {
   const double to_power = speed2 / (total_mass_ * periods * plate_.period() * units_.time);
   v.power_in = in * to_power;
   v.power_lost = lost * to_power;
-  const double path = 4.0 * plate_.A0 * periods;  // the plate's
+  const double path = 4.0 * plate_.A0 * periods;  // of the plate
   v.imbalance = (in - lost - (now_.energy - start_.energy)) / std::max(std::fabs(in), total_mass_ * plate_.g * path);
   return v;
 }

@@ -15,7 +15,7 @@ VibrationStatistics::VibrationStatistics(const Parameters& p, const Column<doubl
       x_(column.contacts()),
       u_(column.contacts()) {}
 
-/// And masses over the column's.
+/// The averages of a column. Also divides the masses by the column's.
 VibrationAverages VibrationStatistics::averages_of(const Parameters& p) {
   const double total = std::accumulate(mass_.begin(), mass_.end(), 0.0);
   double rest_height = 0.0, below = 0.0;

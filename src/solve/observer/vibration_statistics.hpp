@@ -12,17 +12,17 @@
 
 namespace sigmasweep {
 
-/// Watches a vibrated column, in the solver's units, and averages what it sees: see VibrationAverages.
+/// The observer that averages over a vibrated column, in the solver's units. See VibrationAverages.
 class VibrationStatistics {
  public:
   static constexpr bool observes = true;
-  static constexpr int samples = VibrationAverages::samples;  ///< a period
+  static constexpr int samples = VibrationAverages::samples;  ///< per period
 
   VibrationStatistics(const Parameters& parameters, const Column<double>& column, const Plate& plate,
                       const VibrationUnits& units);
 
-  /// Takes the samples up to and at `time`, within the period, by `state(t, x, u)`, which fills in the overlaps x of
-  /// all contacts (the plate's is the first; gaps are negative) and their rates u.
+  /// Takes the samples up to and at `time`, within the period. `state(t, x, u)` writes the overlaps x and rates u of
+  /// all contacts; the first one is that with the plate.
   template <class State>
   void until(double time, State&& state) {
     averages_.until(time, [&](double t) {
@@ -34,7 +34,7 @@ class VibrationStatistics {
   bool done() const { return averages_.done(); }
   bool measures() const { return averages_.measures(); }
 
-  /// NaN where not even one period was measured.
+  /// The averages; NaN if no period was measured.
   Vibration result() const;
 
  private:
@@ -43,7 +43,7 @@ class VibrationStatistics {
 
   Plate plate_;
   VibrationUnits units_;
-  std::vector<double> mass_;  ///< over the column's
+  std::vector<double> mass_;  ///< as fractions of the column's
   VibrationAverages averages_;
   std::vector<double> x_, u_;
   double separation_ = 0.0;  ///< sum over all samples

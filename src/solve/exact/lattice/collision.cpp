@@ -16,7 +16,7 @@ double eps_eff(const Lattice<Real>& lattice, const LatticeOutcome<Real>& outcome
 
 template <class Real>
 SimulationResult result(const Parameters& p, const Lattice<Real>& lattice, const LatticeOutcome<Real>& outcome) {
-  return in_si_with(energies(lattice, outcome.velocity), outcome, p);
+  return to_si_result(energies(lattice, outcome.velocity), outcome, p);
 }
 
 /// The change of eps_eff that the runs' velocities would make if its parts had random signs. Runs of a collision that

@@ -8,7 +8,7 @@
 namespace sigmasweep {
 
 void observe_fixed_step(const Column<double>& column, Integrator integrator, double dt, Samples& samples) {
-  const RunLimits limits{.settle = 0.0};  // to the last sample
+  const RunLimits limits{.settle = 0.0};  // ends at the last sample
   run_column(column, FixedWall{}, integrator, dt, CollisionCourse(ColumnEnding(limits.settle)), limits, {}, samples);
 }
 

@@ -7,7 +7,8 @@
 
 namespace sigmasweep {
 
-/// A column's collision with time step `dt`, recorded until the last sample is taken. The clock starts with the fall.
+/// Computes a column's collision with time step `dt` until the last sample is taken. Time counts from the start of the
+/// fall.
 void observe_fixed_step(const Column<double>& column, Integrator integrator, double dt, Samples& samples);
 
 }  // namespace sigmasweep

@@ -13,9 +13,9 @@
 
 namespace sigmasweep {
 
-/// All contacts that the neighbour lists hold, each once: pairs of beads, one array for each of their numbers, so that
-/// the loop over them vectorises; then walls. Time in steps. Bead i has the components 2 i (x) and 2 i + 1 (z) of q,
-/// its displacement from its site, of u = q' and of the acceleration. Books: keeps what the dashpots take.
+/// The contacts of a lattice from its neighbour lists, each once: pairs of beads, then walls. Each number of a pair has
+/// its own array, so that the loop over pairs vectorises. Time is in steps. Bead i has the components 2 i (x) and 2 i +
+/// 1 (z) of the displacement q from its site, of u = q' and of the acceleration. Books: dissipation is computed, too.
 template <class Force, bool Uneven, bool Books>
 class LatticeContacts {
  public:
@@ -28,24 +28,25 @@ class LatticeContacts {
         C_wall_(lattice.beads.C_wall * dt),
         T_(lattice.D_t * dt) {}
 
-  /// Takes in the lists, the beads being where q says.
+  /// Reads the neighbour lists, with the beads at q.
   void list(const LatticeNeighbours<double>& neighbours, const double* q, const double* u);
 
-  /// The accelerations a of all beads by the contacts that are closed at q. Overlaps, forces and losses stay known.
+  /// Computes the accelerations a of all beads by the contacts that are closed at q. Keeps overlaps, forces and
+  /// dissipation for the functions below.
   void accelerations(const double* q, const double* u, double* a) {
     pairs(q, u);
     for (Wall& wall : walls_) press(wall, q, u);
     hand_out(a);
   }
 
-  /// What the last evaluation has closed and opened since the last call of this; `at_bottom(before, now)` is told of
-  /// overlaps with the bottom that do so.
+  /// Changes of contacts between the last evaluation and the last call of look(). Calls `at_bottom(before, now)` with
+  /// the overlaps of each contact with the bottom that has closed or opened.
   template <class AtBottom>
   ContactChanges look(AtBottom&& at_bottom);
 
   std::size_t size() const { return x_.size(); }
   double deepest() const { return deepest_; }
-  /// Twice the energy of the springs, at the last evaluation. All that the loop needs is local, so that it vectorises.
+  /// Twice the elastic energy at the last evaluation. The loop uses local variables only, so that it vectorises.
   double elastic() const {
     const Force force = force_;
     const double K = K_, K_wall = K_wall_;
@@ -56,7 +57,7 @@ class LatticeContacts {
       if (x[c] > 0.0) sum += force.twice_elastic_energy(c < pairs ? K : K_wall, x[c]);
     return sum;
   }
-  /// What the dashpots took at the last evaluation, per step.
+  /// Energy that the dashpots dissipate per step, at the last evaluation.
   double lost() const requires Books {
     double sum = 0.0;
     for (const double each : lost_) sum += each;
@@ -69,8 +70,8 @@ class LatticeContacts {
     return sum;
   }
 
-  /// with(overlap, rate, speed, elastic, 1/m_red, eps) for each contact, now; speed: of the relative motion, elastic
-  /// twice the energy of the spring.
+  /// Calls with(overlap, rate, speed, elastic, 1/m_red, eps) for each contact at q and u. `speed` is that of the
+  /// relative motion, `elastic` twice the elastic energy.
   template <class With>
   void each(const double* q, const double* u, With&& with) const;
 
@@ -81,7 +82,7 @@ class LatticeContacts {
     Bond<double> bond;
     double C, T;
     Vec2<double> F;
-    std::size_t contact;  ///< its number, after the pairs
+    std::size_t contact;  ///< index in x_; walls come after pairs
   };
   static Vec2<double> of(const double* components, std::size_t bead) {
     return {components[2 * bead], components[2 * bead + 1]};
@@ -93,13 +94,13 @@ class LatticeContacts {
 
   const Lattice<double>& lattice_;
   Force force_;
-  double K_, K_wall_, C_, C_wall_, T_;  ///< of mean beads; T: D_t m_ij
+  double K_, K_wall_, C_, C_wall_, T_;  ///< for mean beads; T: D_t m_ij
   std::size_t pairs_ = 0;
-  std::vector<std::int32_t> i_, j_;  ///< first components
+  std::vector<std::int32_t> i_, j_;  ///< x components of the beads
   std::vector<double> R_x_, R_z_, length_, gap0_, C_ij_, T_ij_;
   std::vector<double> F_x_, F_z_;  ///< on bead i
   std::vector<Wall> walls_;
-  std::vector<double> x_, before_, lost_;  ///< of pairs and walls: overlaps now and at the last look
+  std::vector<double> x_, before_, lost_;  ///< of pairs and walls: overlap, overlap at the last look(), dissipation
   double deepest_ = 0.0;
 };
 
@@ -148,8 +149,8 @@ void LatticeContacts<Force, Uneven, Books>::add(std::size_t i, const Neighbour<d
   }
 }
 
-/// Bond's gap, Eqs. (3) and (4): F = K x^(1+beta) + C x^gamma x' along n, and -T (w - (w.n) n), w the velocity of bead
-/// i relative to bead j; x' = -w.n.
+/// Overlaps and forces of pairs, Eqs. (3) and (4): F = K x^(1+beta) + C x^gamma x' along n, and -T (w - (w.n) n), with
+/// the velocity w of bead i relative to bead j; x' = -w.n. The gap is that of Bond.
 template <class Force, bool Uneven, bool Books>
 void LatticeContacts<Force, Uneven, Books>::pairs(const double* q, const double* u) {
   const std::int32_t *i = i_.data(), *j = j_.data();

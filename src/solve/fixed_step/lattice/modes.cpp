@@ -14,15 +14,15 @@
 namespace sigmasweep {
 namespace {
 
-constexpr std::int64_t max_beads = 40;  // in a row, and rows: more change eigenvalues by less than 0.2 %
+constexpr std::int64_t max_beads = 40;  // rows or columns; larger lattices change eigenvalues by less than 0.2 %
 constexpr int iterations = 200;
 constexpr std::array<ModalCoefficients, 4> weights{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}}};
 
-/// Two beads on their sites, or a bead and a wall.
+/// A contact of two beads on their sites, or of a bead and a wall.
 struct Contact {
   std::size_t i, j;  ///< j == i: a wall
   Vec2<double> n;
-  ModalCoefficients of;  ///< its own spring and dashpots
+  ModalCoefficients of;  ///< spring and dashpots of the contact
 };
 
 class ClosedLattice {
@@ -36,7 +36,7 @@ class ClosedLattice {
       }
   }
 
-  /// Power iteration for the motion with the largest weighted sum.
+  /// Coefficients of the motion with the largest weighted sum, by power iteration.
   ModalCoefficients largest(const ModalCoefficients& weight) const {
     std::vector<Vec2<double>> y;
     for (std::uint64_t i = 0; i < inverse_root_.size(); ++i)
@@ -50,7 +50,7 @@ class ClosedLattice {
     return lattice_.mass(static_cast<std::size_t>(row * lattice_.columns + place));
   }
 
-  /// With those to the right of it and above it, and with walls.
+  /// Adds the contacts of a bead with beads to the right and above, and with walls.
   void add_contacts(std::int64_t row, std::int64_t place) {
     constexpr double half = 0.5, up = std::numbers::sqrt3 / 2;
     const std::int64_t odd = row % 2;
@@ -79,7 +79,7 @@ class ClosedLattice {
     return static_cast<std::size_t>(row * columns_ + place);
   }
 
-  /// Displacements times the root of the mass, so that the matrix is symmetric.
+  /// Relative displacement in a contact. y is displacement times the root of the mass, so that the matrix is symmetric.
   Vec2<double> relative(const Contact& c, const std::vector<Vec2<double>>& y) const {
     const Vec2<double> x = inverse_root_[c.i] * y[c.i];
     return c.j == c.i ? x : x - inverse_root_[c.j] * y[c.j];
@@ -116,7 +116,7 @@ class ClosedLattice {
 
   const Lattice<double>& lattice_;
   std::int64_t rows_, columns_;
-  std::vector<double> inverse_root_;  ///< of masses
+  std::vector<double> inverse_root_;  ///< 1/sqrt(mass)
   std::vector<Contact> contacts_;
 };
 
@@ -129,7 +129,7 @@ std::vector<ModalCoefficients> found(const Lattice<double>& lattice) {
 
 }  // namespace
 
-/// Milliseconds, and a sweep has few lattices of equal beads, each many times over.
+/// Results for equal beads are kept, because they take milliseconds, and a sweep uses the same few lattices many times.
 std::vector<ModalCoefficients> largest_shares(const Lattice<double>& lattice) {
   if (!lattice.beads.is_uniform()) return found(lattice);
   constexpr std::size_t most = 256;

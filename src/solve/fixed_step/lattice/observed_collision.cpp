@@ -9,7 +9,7 @@ namespace sigmasweep {
 
 void observe_fixed_step_lattice(const Lattice<double>& lattice, Integrator integrator, double dt,
                                 LatticeSamples& samples) {
-  const RunLimits limits{.settle = 0.0};  // to the last sample
+  const RunLimits limits{.settle = 0.0};  // ends at the last sample
   run_lattice(lattice, FixedWall{}, integrator, dt, CollisionCourse(LatticeEnding(lattice, dt, limits.settle)), limits,
               {}, samples);
 }

@@ -7,7 +7,8 @@
 
 namespace sigmasweep {
 
-/// A lattice's collision with time step `dt`, recorded until the last sample is taken. The clock starts with the fall.
+/// Computes a lattice's collision with time step `dt` until the last sample is taken. Time counts from the start of the
+/// fall.
 void observe_fixed_step_lattice(const Lattice<double>& lattice, Integrator integrator, double dt,
                                 LatticeSamples& samples);
 
