@@ -10,7 +10,7 @@
 
 namespace sigmasweep {
 
-/// What the computing of a run came to.
+/// The result of the fourth phase.
 struct Computed {
   bool is_complete = false;   ///< all rows of the sweep are there now
   Work work{};                ///< on the manager

@@ -5,7 +5,7 @@
 
 namespace sigmasweep {
 
-/// Last phase: says what the sweep came to. Returns the exit code of the run: success, or some_rows_failed.
+/// Last phase: prints the summary of the sweep. Returns the exit code of the run, success or some_rows_failed.
 int report_rows(const World& world, const OpenSweep& open, const Computed& computed, const Reporter& reporter);
 
 /// The same as a JSON document on standard output, also of a run that was stopped (`finished` is false): then the exit

@@ -9,7 +9,7 @@
 
 namespace sigmasweep {
 
-/// Where a run tells its user what it does. The libraries print through this object only.
+/// Output of a run to its user. The libraries print through this object only.
 class Reporter {
  public:
   using Print = std::function<void(std::string_view)>;
@@ -19,7 +19,7 @@ class Reporter {
 
   /// Prints "sigmasweep: MESSAGE" and ends the line, unless quiet.
   void say(std::string_view message) const;
-  /// The same, also when quiet: what the user must know.
+  /// Prints a warning, "sigmasweep: MESSAGE", also if quiet.
   void warn(std::string_view message) const;
   /// Prints the text as it is, unless quiet.
   void show(std::string_view text) const;

@@ -26,7 +26,7 @@ auto lattice_kind(const Parameters& p) {
                     static_cast<float>(p.D_t * p.tc));
 }
 
-/// What must be equal, beside sigma, for two rows to be the same point.
+/// Numbers that are equal, besides sigma, if two rows are the same point.
 auto kind(const Parameters& p) {
   const double accuracy = p.integrator == Integrator::exact || p.steps_per_tc == 0.0 ? p.tolerance : p.steps_per_tc;
   const auto [beta, gamma] = exponents(p);

@@ -37,7 +37,7 @@ Sweep with_precision(Sweep sweep, const std::string& spec) {
   return sweep;
 }
 
-/// The spec's study, with what the command line has instead.
+/// The spec's study with the values of the command line.
 PrecisionSpec study_of(const Sweep& sweep, const PrecisionOptions& options) {
   PrecisionSpec study = *precision_of(sweep);
   if (options.tuples) study.tuples = *options.tuples;
@@ -45,7 +45,7 @@ PrecisionSpec study_of(const Sweep& sweep, const PrecisionOptions& options) {
   return study;
 }
 
-/// One scene to measure. Its answer are its rows; none if it could not be measured.
+/// The task of measuring one scene. Its answer are the rows of the scene, or none if it could not be measured.
 struct SceneTask {
   std::uint64_t scene = 0;
   double predicted_seconds = 0.0;

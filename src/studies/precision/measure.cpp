@@ -117,18 +117,18 @@ void measure_errors(Setting& setting, const PrecisionCase& measured, const Refer
   row.evaluations = evaluations / static_cast<double>(row.tuples);
 }
 
-/// All tuples of the setting once more; CPU time, s.
+/// Runs all tuples of the setting again; returns the CPU time, s.
 double time_once(const Setting& setting) {
   const double start = thread_seconds();
   double sum = 0.0;
   for (const PreparedRun& prepared : setting.runs) sum += prepared.run().value;
   const double took = thread_seconds() - start;
-  [[maybe_unused]] volatile double keep = sum;  // or the compiler might leave it all out
+  [[maybe_unused]] volatile double keep = sum;  // the compiler must not remove the computation
   return took;
 }
 
-/// Times all settings in turn, so that a disturbance of the machine hits them alike. The round for the errors was the
-/// warm-up; where it was too long to be repeated, it was the measurement as well.
+/// Times all settings in turn, so that a disturbance of the machine affects them alike. The round for the errors was
+/// the warm-up; if it took too long to be repeated, it is the measurement as well.
 void measure_times(std::vector<Setting>& settings, const PrecisionSpec& spec) {
   for (Setting& s : settings)
     if (s.errors_took > spec.repeat_seconds) s.row.run_time = s.errors_took / static_cast<double>(s.row.tuples);

@@ -9,12 +9,12 @@
 
 namespace sigmasweep {
 
-/// Draws a study's plots of the spec, the first one into `file`, others into picture_named(); with `name` only that
-/// one. Prints the files' names to `out`. Throws UsageError, also where a plot's `where` chooses no scene.
+/// Draws the spec's plots of a study, the first one into `file`, others into picture_named(); with `name` only this
+/// one. Prints the files' names to `out`. Throws UsageError, also if no scene satisfies a plot's `where`.
 void draw_precision(const Sweep& sweep, std::span<const PrecisionRow> rows, const std::string& file,
                     const std::string& name, std::FILE* out);
 
-/// Of a study that was stored.
+/// Draws the plots of a stored study.
 void draw_stored_precision(const std::string& table, const std::string& file, const std::string& name);
 
 }  // namespace sigmasweep

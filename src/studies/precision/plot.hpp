@@ -9,7 +9,7 @@
 
 namespace sigmasweep {
 
-/// The most scenes that a picture has room for.
+/// Largest number of scenes in a picture.
 inline constexpr std::size_t max_precision_panels = 64;
 
 /// Draws time against error, log-log: a panel for each scene, a curve for each integrator, the references' noise as a

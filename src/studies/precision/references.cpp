@@ -8,7 +8,7 @@
 namespace sigmasweep {
 namespace {
 
-/// Where the two references differ by more than this, the tuple is chaotic.
+/// Largest difference of two references that agree; a tuple with a larger one is chaotic.
 constexpr double chaos = 1e-9;
 
 }  // namespace

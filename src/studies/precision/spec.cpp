@@ -42,7 +42,7 @@ std::vector<Integrator> as_integrators(const Entry& entry) {
   return integrators;
 }
 
-/// The study says how scenes are computed, not the sweep.
+/// Refuses a sweep whose axes are settings of the study, or whose scenes have no integrators.
 void require_scenes(const Entry& table, const Sweep& sweep) {
   if (sweep.size() > max_scenes)
     refuse(table, fmt::format("{} rows are as many scenes, at most {} are allowed", sweep.size(), max_scenes));

@@ -9,23 +9,23 @@
 
 #include "sigmasweep/model/parameters.hpp"
 
-/// A precision study: how much error a microsecond buys.
+/// A precision study: the error of integrators against their computing time.
 namespace sigmasweep {
 
 /// exact and all schemes of fixed step.
 std::vector<Integrator> all_integrators();
 
-/// [precision] of a spec. A scene is a row of [sweep], which says neither method nor integrator nor their settings.
+/// The section [precision] of a spec. A scene is a row of [sweep], which has neither integrators nor their settings.
 ///
 ///     integrators  = ["exact", "gear5", "verlet", "rk4"]  # default: all there are
 ///     steps_per_tc = [20, 50, 100, 200, 500, 1000]        # of the integrators of fixed step: dt = tc/steps_per_tc
 ///     tolerances   = [1e-3, 1e-6, 1e-9, 1e-13]            # of exact
 ///     tuples  = 400   # random contact phases of a scene
-///     checks  = 20    # of these with both references
-///     repeats = 5     # timings, of which the smallest counts
-///     seconds = 0.1   # CPU time for one setting of a scene, or for the references: as many of the tuples as fit
-///     repeat_seconds = 1   # a setting that has taken longer is not timed once more
-///     longest = 0.5   # settings of which a tuple takes longer, s, are left out
+///     checks  = 20    # number of tuples with both references
+///     repeats = 5     # number of timings; the smallest counts
+///     seconds = 0.1   # CPU time for the tuples of one setting, or for the references, s
+///     repeat_seconds = 1   # a setting that has taken longer, s, is not timed again
+///     longest = 0.5   # largest CPU time of a tuple, s; slower settings are left out
 ///     seed    = 0
 struct PrecisionSpec {
   std::vector<Integrator> integrators = all_integrators();
@@ -34,13 +34,13 @@ struct PrecisionSpec {
   double seconds = 0.1, repeat_seconds = 1.0, longest = 0.5;
 };
 
-/// What one setting of one integrator is worth in one scene. A plain value of fixed size: it is sent between ranks and
-/// stored as it is. NaN: not known.
+/// The measurements of one setting of one integrator in one scene. A plain value of fixed size, which is sent between
+/// ranks and stored as it is. NaN: not known.
 struct PrecisionRow {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::uint64_t scene = 0;
-  Parameters parameters;  ///< the scene's, with integrator and setting
-  double setting = nan;   ///< steps_per_tc or tolerance; NaN for exact of what vibrates
+  Parameters parameters;  ///< of the scene, with integrator and setting
+  double setting = nan;   ///< steps_per_tc or tolerance; NaN for exact on a plate
   std::uint64_t tuples = 0, failures = 0, compared = 0, references = 0;
   double error_median = nan, error_99 = nan, error_max = nan;
   double velocity_median = nan, velocity_max = nan;
@@ -50,7 +50,7 @@ struct PrecisionRow {
   std::int64_t rank = -1, ranks_per_core = 1;
 };
 
-/// A column of the study's table; the scene's parameters come before these.
+/// A column of the study's table, after the parameters of the scene.
 struct PrecisionField {
   std::string_view name, unit, meaning;
   bool real;

@@ -16,16 +16,16 @@ namespace sigmasweep {
 void write_precision_table(const std::string& path, const TableInfo& info, std::span<const Field> parameters,
                            std::span<const PrecisionRow> rows);
 
-/// Whether there is a file that says of itself that it is one.
+/// Whether the file has the format attribute of a precision study.
 bool is_precision_table(const std::string& path);
 
-/// A study read back.
+/// A precision study that was read from a file.
 struct PrecisionTable {
   std::string spec_text;
   std::vector<PrecisionRow> rows;  ///< of the parameters with the integrator only: the scene's are the spec's
 };
 
-/// Throws InputNotFound, or IoError for a file that is none.
+/// Reads a study. Throws InputNotFound, or IoError for another file.
 PrecisionTable read_precision_table(const std::string& path);
 
 }  // namespace sigmasweep

@@ -10,8 +10,8 @@ struct StabilityOptions {
   bool plots = true;
 };
 
-/// Runs the sweep as run() does, then prints and draws the map of stable steps; on all ranks. Returns the exit code, as
-/// run() does. A row that is unstable is no failure here.
+/// Runs the sweep as run() does, then prints and draws the map of stable steps; on all ranks. Returns the exit code of
+/// run(), but unstable rows are not failures.
 int stability_study(World& world, const StabilityOptions& options);
 
 }  // namespace sigmasweep

@@ -18,9 +18,9 @@ namespace sigmasweep {
 namespace {
 
 constexpr double good = 0.01, fair = 0.1;
-constexpr int between = 4;  ///< limits from one y to the next, where they are cheap
+constexpr int between = 4;  ///< number of limits from one y to the next, if they are cheap
 
-/// Where a plate vibrates the error is the imbalance of energy.
+/// The error of a row; on a plate the imbalance of energy.
 Observed observed(const SimulationResult& c) {
   if (c.status == Status::unstable) return Observed::unstable;
   const double error = c.eps_eff == c.eps_eff ? c.eps_eff_error : std::fabs(c.vibration.imbalance);

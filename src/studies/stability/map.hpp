@@ -7,11 +7,11 @@
 #include "sigmasweep/model/row.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
-/// The maps of a stability study, which text and picture show: where the schemes of fixed step are stable by theory
-/// (solve/fixed_step/stability.hpp), and by the rows of a table.
+/// The maps of a stability study, for its text and picture: stability of schemes of fixed step by theory
+/// (solve/fixed_step/stability.hpp) and in the rows of a table.
 namespace sigmasweep {
 
-/// How a row ended: |error of eps_eff| below 1 %, below 10 %, above; unstable; or no result for other reasons.
+/// The outcome of a row: |error of eps_eff| below 1 %, below 10 %, above; unstable; or no result for other reasons.
 enum class Observed { good, fair, wrong, unstable, nothing };
 
 struct StabilityCell {
@@ -32,15 +32,15 @@ struct StabilityMap {
   std::vector<StabilityLimit> limits;  ///< by y, also between those of the cells
 };
 
-/// One map for each combination of the axes that are neither plot.y nor steps_per_tc, in the order of the rows; of the
-/// rows that plot.where chooses. Throws UsageError.
+/// The maps of the rows that satisfy plot.where: one for each combination of the axes other than plot.y and
+/// steps_per_tc, in the order of the rows. Throws UsageError.
 std::vector<StabilityMap> stability_maps(std::span<const Row> rows, const PlotSpec& plot,
                                          std::span<const std::string> axes);
 
 /// The first map among a spec's plots, or one with defaults.
 PlotSpec stability_plot(std::span<const PlotSpec> plots);
 
-/// The parameter that plot.y names. Throws UsageError for anything else.
+/// The parameter plot.y. Throws UsageError if it is not a parameter.
 const Field& stability_axis(const PlotSpec& plot);
 
 }  // namespace sigmasweep

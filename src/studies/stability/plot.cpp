@@ -57,7 +57,7 @@ std::string map_script(const StabilityMap& map, std::size_t number) {
   return data + fmt::format("set title '{}'\n{}, {} using 1:2 with {}\n", map.label, plots, block, limit_style);
 }
 
-/// The key of all maps: that of an empty plot below them, as wide as the page.
+/// The key of all maps, as the key of an empty plot below them.
 std::string key_script() {
   std::string plots;
   for (const Look& look : looks)
@@ -86,7 +86,7 @@ std::string axes_script(std::span<const StabilityMap> maps, bool y_log) {
       y_log ? "xy" : "x", steps.low / 1.2, 1.2 * steps.high, low, high);
 }
 
-/// As many panels in a line as there are maps with the same first axis, if that fits.
+/// Number of panels in a line: the number of maps with the same first axis, if they fit.
 std::size_t columns_for(std::span<const StabilityMap> maps) {
   const auto first = [](const StabilityMap& map) { return map.plain_label.substr(0, map.plain_label.find(',')); };
   const auto same = std::size_t(

@@ -9,7 +9,7 @@
 
 namespace sigmasweep {
 
-/// The most maps that a picture has room for.
+/// Largest number of maps in a picture.
 inline constexpr std::size_t max_stability_maps = 48;
 
 /// Draws maps of the rows with a given time step: the step dt/tc against the plot's y, a parameter, one map for each

@@ -9,10 +9,10 @@
 namespace sigmasweep {
 namespace {
 
-/// Of the rows at one y.
+/// Counts of the rows at one y.
 struct Line {
-  double most = 0.0;    ///< steps a tc of the shortest step that came out unstable
-  double fewest = 0.0;  ///< of the longest one from which on all are stable
+  double most = 0.0;    ///< largest tc/dt at which a row was unstable
+  double fewest = 0.0;  ///< smallest tc/dt from which on all rows were stable
   double predicted = 0.0;
 };
 
@@ -61,8 +61,8 @@ std::string stability_text(std::span<const Row> rows, const PlotSpec& plot, std:
     for (const StabilityCell& cell : map.cells) count.take(cell);
   }
   out += fmt::format(
-      "\n{} rows as predicted; {} predicted to be unstable in which nothing was seen (the beads come apart before it\n"
-      "shows); {} unstable that were predicted to be stable",
+      "\n{} rows as predicted; {} predicted to be unstable, but without visible growth (the beads separate before);\n"
+      "{} unstable, but predicted to be stable",
       count.agree, count.only_theory, count.only_rows);
   return out + (count.nothing > 0 ? fmt::format("; {} without a result for other reasons\n", count.nothing) : "\n");
 }

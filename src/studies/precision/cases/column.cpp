@@ -17,7 +17,7 @@ namespace sigmasweep {
 namespace {
 
 constexpr double settle = 1e-19;
-/// About ten seconds of each: a tuple that takes longer is chaotic, and has no reference.
+/// Limits of about ten seconds: a tuple that takes longer is chaotic and has no reference.
 constexpr std::uint64_t max_contacts_moved = 10'000'000, max_modes = 300'000'000;
 
 template <class Real>
@@ -48,8 +48,8 @@ Reference by_steps(double accuracy) {
   };
 }
 
-/// The final velocities of the exact solver as it stops for this tolerance. In double: where simulate() needs more
-/// than that, its eps_eff is better than these.
+/// The final velocities of the exact solver in double, when it stops for this tolerance. If simulate() needs a wider
+/// type, its eps_eff is better than these velocities.
 std::vector<double> exact_velocities(const Parameters& p) {
   const Column<double> column = reduced_column<double>(p);
   const double left = 1e-3 * p.tolerance;

@@ -12,7 +12,7 @@
 namespace sigmasweep {
 namespace {
 
-/// Half a minute of beads and contacts moved in stages of steps: a tuple that takes longer has no reference.
+/// Limit of about half a minute, in stages of steps times beads and contacts: a slower tuple has no reference.
 constexpr std::uint64_t max_work = 200'000'000;
 
 template <class Real>

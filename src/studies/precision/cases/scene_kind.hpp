@@ -6,12 +6,12 @@
 
 namespace sigmasweep {
 
-/// How scenes of a geometry are measured.
+/// A kind of scenes, with the same quantity and the same methods of measurement.
 struct SceneKind {
   std::string_view quantity;  ///< the result whose error is measured
   bool exact_has_tolerance;   ///< the integrator `exact` can be set
-  /// With fixed steps a sweep computes the exact solution as well, for the error bar: its cost is part of the predicted
-  /// one, but not of the study's.
+  /// The predicted cost of fixed steps includes the exact solution, which a sweep computes for the error bar, but a
+  /// study does not.
   bool fixed_steps_have_reference;
   PrecisionCase (*make)(const Parameters& scene, const PrecisionSpec& spec);
 };

@@ -31,8 +31,8 @@ ReferenceValue by_series(Parameters p) {
   return reference_value(simulate(p), p);
 }
 
-/// A whole number of steps fills a period of the plate, and each period begins with a step. So tuples differ in the
-/// number of steps.
+/// Tuples differ in the number of steps, because a whole number of steps fills a period of the plate, and each period
+/// begins with a step.
 double steps_for(const Parameters& p, double phase) {
   constexpr double max_change = 0.01;
   return p.steps_per_tc * (1.0 + max_change * phase);
