@@ -103,9 +103,10 @@ class Sweep:
         """run_time by row, from the journal. Its header of 72 bytes has the size of a record at byte 12, and at byte 48
         the size of the sweep's description, which follows the header. A record starts with the row's index and ends
         with run_time, predicted_time, rank, attempt and checksum."""
-        if not self.journal.exists():
+        try:
+            data = self.journal.read_bytes()
+        except FileNotFoundError:
             return {}
-        data = self.journal.read_bytes()
         size = struct.unpack_from("<I", data, 12)[0]
         rows = {}
         for start in range(first_record(data), len(data) - size + 1, size):
