@@ -31,7 +31,9 @@ void check_consistent(const Parameters& p, const SimulationResult& c) {
   RC_ASSERT(c.Er_Ef >= 0.0 && c.Er_Ef <= 1.0);
   RC_ASSERT(std::fabs(c.eps_eff * c.eps_eff - c.Er_E0 - c.v_cm * c.v_cm) <= rounding);
   RC_ASSERT(c.t_k >= 0.0 && c.x_max >= 0.0);
-  RC_ASSERT(c.end != End::none);
+  // Only hard spheres that collide too often give up with a result, and an error bar that says so.
+  const bool gave_up = p.method == Method::ed && c.status == Status::tolerance_missed && c.contacts >= 150'000;
+  RC_ASSERT(c.end != End::none || gave_up);
   if (p.integrator == Integrator::exact) RC_ASSERT((c.status == Status::tolerance_missed) == (bar > p.tolerance));
 }
 

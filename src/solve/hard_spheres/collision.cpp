@@ -86,10 +86,8 @@ SimulationResult better_of(const Computed& fast, const Computed& wide, double to
   return wide_error < fast_error ? with_error(w, wide_error, tolerance) : with_error(f, fast_error, tolerance);
 }
 
-}  // namespace
-
-SimulationResult simulate_hard_spheres(const Parameters& p, ComputeBudget* budget) {
-  HardSphereSettings settings{.rule = p.ed_rule};
+/// In double, and if that is not good enough in the wide type.
+SimulationResult good_enough(const Parameters& p, HardSphereSettings settings, ComputeBudget* budget) {
   RunLimits limits{.settle = 1e-3 * p.tolerance, .budget = budget};
   const Computed fast = computed_in<double>(p, settings, limits);
   const SimulationResult& c = fast.result;
@@ -99,6 +97,16 @@ SimulationResult simulate_hard_spheres(const Parameters& p, ComputeBudget* budge
   settings.same_time = 1e-28;
   settings.collapsed_speed = 1e-30;
   return better_of(fast, computed_in<Quad>(p, settings, limits), p.tolerance);
+}
+
+}  // namespace
+
+SimulationResult simulate_hard_spheres(const Parameters& p, ComputeBudget* budget) {
+  const SimulationResult c = good_enough(p, {.rule = p.ed_rule}, budget);
+  if (c.end != End::none || c.status != Status::tolerance_missed || p.ed_rule == EdRule::tc) return c;
+  // Too many collisions, as in collapses upon collapses of unequal beads: the same ones are done once.
+  const SimulationResult again = good_enough(p, {.rule = p.ed_rule, .remember_hits = true}, budget);
+  return again.end == End::none ? c : again;
 }
 
 }  // namespace sigmasweep

@@ -22,6 +22,7 @@ struct HardSphereSettings {
   /// Largest speed, in v0, of an inelastic collapse: a pair that collides again almost at once and more slowly will do
   /// so infinitely often.
   double collapsed_speed = 1e-16;
+  bool remember_hits = false;  ///< what has collapsed and is hit again is not computed again
 };
 
 /// Computes the collision of the column with its restitutions eps and eps_wall; K and C are not used. Units are the gap

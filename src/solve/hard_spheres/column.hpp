@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "numerics/tournament.hpp"
 #include "solve/hard_spheres/cluster.hpp"
 #include "solve/hard_spheres/collision.hpp"
+#include "solve/hard_spheres/hit_memory.hpp"
 #include "solve/stop_logic.hpp"
 
 namespace sigmasweep {
@@ -54,6 +56,7 @@ class HardSphereColumn {
         due_(contacts_),
         impacts_(contacts_),
         touching_gap_(settings.same_time) {
+    if (settings.remember_hits) hits_.emplace();
     const double N = static_cast<double>(column.N);
     if (!column.mass.empty() || !column.gaps.empty()) settings_.same_time *= 1e-3;  // no symmetry makes times the same
     const Real length = length_of(column);
@@ -72,7 +75,10 @@ class HardSphereColumn {
     show(watcher, 0.0);
     while (outcome_.end == End::none) {
       if (const Status stop = stop_.why_stop(outcome_.contacts, 0, 1); stop != Status::ok) {
-        outcome_.status = stop;
+        if (stop == Status::event_limit && is_dissipated())
+          outcome_.end = End::settled;
+        else
+          outcome_.status = stop;
         break;
       }
       if (const std::size_t k = impacts_.first(); impacts_.time_of(k) < 0)
@@ -147,6 +153,7 @@ class HardSphereColumn {
   /// Advances to the time of the next collision. All contacts that collide then become touching.
   template <class Watcher>
   void advance(Watcher& watcher) {
+    if (hits_ && hits_->is_watching()) keep_aftermath();
     std::size_t k = due_.first();
     show(watcher, due_.time_of(k));
     if (due_.time_of(k) == infinity) {
@@ -171,12 +178,16 @@ class HardSphereColumn {
     if (contact.u > settled_below_ || outcome_.contacts < next_look_) return false;
     if (is_again(contact, due_.time_of(k))) return false;
     next_look_ = outcome_.contacts + contacts_;
-    return residual_dissipation<Real>(velocities(), Real(1), masses()) < stop_.settle();
+    return is_dissipated();
   }
+
+  /// Later collisions can change eps_eff by next to nothing.
+  bool is_dissipated() const { return residual_dissipation<Real>(velocities(), Real(1), masses()) < stop_.settle(); }
 
   static bool is_again(const Contact& contact, const Real& time) { return time - contact.last <= again * time; }
 
   void touch(std::size_t k) {
+    if (hits_ && hits_->is_watching() && !is_in(hits_->watched(), k)) hits_->forget_watched();
     state_[k].gap = 0;
     state_[k].since = now_;
     due_.remove(k);
@@ -214,6 +225,7 @@ class HardSphereColumn {
   /// A collision, u -> -e u. The change (1 + e) u is shared by the two beads according to their masses; at the wall it
   /// belongs to the bead.
   void collide(std::size_t k) {
+    if (hits_ && !hits_->is_watching() && repeat_or_watch(k)) return;
     Contact& contact = state_[k];
     const Real u = contact.u, e = memory_ > 0 && is_elastic(k) ? Real(1) : k == 0 ? e_wall_ : e_;
     const Real change = (1 + e) * u;
@@ -231,6 +243,7 @@ class HardSphereColumn {
   /// Changes the closing speed of a contact next to a collision by `change`.
   void change_rate(std::size_t k, const Real& change) {
     using std::abs;
+    if (hits_ && hits_->is_watching()) hits_->note_change(k, change);
     Contact& contact = state_[k];
     contact.gap = gap_now(k);
     contact.since = now_;
@@ -288,11 +301,54 @@ class HardSphereColumn {
   void collapse(const Cluster& cluster) {
     outcome_.status = Status::collapsed;
     const std::size_t first = lowest_ + cluster.first, end = first + cluster.beads - 1;
+    if (hits_ && hits_->is_watching() && !(is_in(hits_->watched(), first) && is_in(hits_->watched(), end - 1)))
+      hits_->forget_watched();
     for (std::size_t j = first; j < end; ++j) rest(j);
     if (first > 0) change_rate(first - 1, -cluster.bottom_change);
     if (end < contacts_) change_rate(end, cluster.top_change);
     if (cluster.wall) last_wall_ = now_;
     ++outcome_.contacts;
+  }
+
+  static bool is_in(const Hit& hit, std::size_t k) { return hit.lowest <= k && k <= hit.highest; }
+
+  /// The run of touching contacts around k, if all others of them are at rest.
+  std::optional<Hit> hit_at_rest(std::size_t k) const {
+    const auto touches = [&](std::size_t j) { return gap_now(j) == 0; };
+    Hit hit{k, k, k};
+    for (; hit.lowest > 0 && touches(hit.lowest - 1); --hit.lowest)
+      if (state_[hit.lowest - 1].u != 0) return std::nullopt;
+    for (; hit.highest + 1 < contacts_ && touches(hit.highest + 1); ++hit.highest)
+      if (state_[hit.highest + 1].u != 0) return std::nullopt;
+    if (hit.lowest == hit.highest) return std::nullopt;
+    return hit;
+  }
+
+  /// A collision of contact k in a cluster at rest: once seen, it is not computed again.
+  bool repeat_or_watch(std::size_t k) {
+    const std::optional<Hit> hit = hit_at_rest(k);
+    if (!hit) return false;
+    const Real speed = state_[k].u;
+    const Aftermath<Real>* known = hits_->find(*hit, speed);
+    if (!known) {
+      hits_->watch(*hit, speed);
+      return false;
+    }
+    for (std::size_t j = hit->lowest; j <= hit->highest; ++j) {
+      rest(j);
+      state_[j].u = known->u[j - hit->lowest] * speed;
+    }
+    if (hit->lowest > 0) change_rate(hit->lowest - 1, known->below * speed);
+    if (hit->highest + 1 < contacts_) change_rate(hit->highest + 1, known->above * speed);
+    if (hit->lowest == 0) last_wall_ = now_;
+    ++outcome_.contacts;
+    return true;
+  }
+
+  void keep_aftermath() {
+    std::vector<Real> u;
+    for (std::size_t j = hits_->watched().lowest; j <= hits_->watched().highest; ++j) u.push_back(state_[j].u);
+    hits_->keep_watched(std::move(u));
   }
 
   void rest(std::size_t k) {
@@ -324,8 +380,9 @@ class HardSphereColumn {
   Real settled_below_ = 0;
   double touching_gap_;
   std::uint64_t next_look_ = 0, next_try_ = 0;
-  std::vector<double> touching_;  ///< closing speeds of a run of touching contacts
-  std::size_t lowest_ = 0;        ///< lowest contact of this run
+  std::vector<double> touching_;         ///< closing speeds of a run of touching contacts
+  std::size_t lowest_ = 0;               ///< lowest contact of this run
+  std::optional<HitMemory<Real>> hits_;  ///< only of runs that are done again
   Outcome<Real> outcome_;
 };
 

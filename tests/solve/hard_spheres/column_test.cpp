@@ -179,5 +179,41 @@ TEST(HardSpheresColumn, GivesTheSameBitsAgain) {
             std::tie(b.eps_eff, b.eps_eff_error, b.t_k, b.contacts));
 }
 
+/// Unequal beads whose cluster collapses anew each time that a bead bounces on it, which bounces so each time that the
+/// next one does: 12 million collisions, of which all but some 300,000 are the same again.
+TEST(CollapsesUponCollapses, Collapse) {
+  const SimulationResult c = simulate(hard_column({.v0 = 1e-15,
+                                                   .tc = 1e-9,
+                                                   .sigma = 1e-12,
+                                                   .epsilon = 0.629,
+                                                   .width = 0.00121,
+                                                   .N = 17,
+                                                   .seed = 88,
+                                                   .wall = Wall::matched}));
+  EXPECT_NE(c.end, End::none);
+  EXPECT_GE(c.eps_eff, 0.0);
+  EXPECT_LE(c.eps_eff, c.eps_eff_error);  // all 17 at rest: 12,402,437 collisions done one by one say so
+}
+
+/// What a cluster at rest does when it is hit is known from the last time: the beads leave as if it were computed anew.
+TEST(CollapsesUponCollapses, AreTheSameIfEqualHitsAreRemembered) {
+  int shorter = 0;
+  for (std::int64_t seed = 1; seed <= 40; ++seed) {
+    const auto column = reduced_column<double>(
+        hard_column({.s0 = 1e-5, .epsilon = 0.6, .width = 1e-3, .N = 9, .seed = seed, .wall = Wall::matched}));
+    const auto plain = hard_sphere_collision(column),
+               remembered = hard_sphere_collision(column, {.remember_hits = true});
+    ASSERT_TRUE(is_success(plain.status));
+    EXPECT_EQ(remembered.status, plain.status);
+    EXPECT_EQ(remembered.end, plain.end);
+    EXPECT_LE(remembered.contacts, plain.contacts);
+    shorter += remembered.contacts < plain.contacts / 2;
+    EXPECT_NEAR(remembered.t_k, plain.t_k, 1e-9 * plain.t_k) << seed;
+    for (std::size_t k = 0; k < plain.velocity.size(); ++k)
+      EXPECT_NEAR(remembered.velocity[k], plain.velocity[k], 1e-9) << seed;
+  }
+  EXPECT_GT(shorter, 5);
+}
+
 }  // namespace
 }  // namespace sigmasweep
