@@ -9,7 +9,6 @@ import concurrent.futures
 import contextlib
 import ctypes
 import os
-import pathlib
 import random
 import re
 import signal
@@ -17,26 +16,11 @@ import subprocess
 import time
 import unittest
 
-from sweep_process import LIMIT, Sweep, ranks_of, spec
+from sweep_process import LIMIT, Sweep, ranks_of, spec, wait_until_gone
 
 TRIALS = int(os.environ.get("KILL_TRIALS", "10"))
 AT_ONCE = 4  # trials; most of a trial is waiting for mpirun, which gives the other ranks two seconds
 TEXT = spec()
-
-
-def wait_until_gone(processes):
-    """Waits for the end of ranks after another rank, or mpirun, was killed."""
-    def runs(pid):
-        try:
-            return pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] not in "ZX"
-        except OSError:
-            return False
-
-    end = time.monotonic() + LIMIT
-    while any(runs(pid) for pid in processes):
-        if time.monotonic() > end:
-            raise AssertionError("a rank outlives the others, or its mpirun")
-        time.sleep(0.02)
 
 
 class Trial:

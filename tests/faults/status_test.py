@@ -1,6 +1,7 @@
 """Looking at a sweep at any time: status, show, export and plot while it runs, after a stop, after kill -9 and at its end;
 without a lock and without a change to a file. STATUS_TRIALS says how many random kills there are (3)."""
 
+import contextlib
 import csv
 import io
 import json
@@ -11,7 +12,7 @@ import subprocess
 import time
 import unittest
 
-from sweep_process import LIMIT, PROGRAM, Sweep, end_of, ranks_of, spec, wait_until_unlocked
+from sweep_process import LIMIT, PROGRAM, Sweep, end_of, ranks_of, spec, wait_until_gone, wait_until_unlocked
 
 TRIALS = int(os.environ.get("STATUS_TRIALS", "3"))
 LONG = spec(steps=40000)  # half a minute of computing
@@ -38,12 +39,12 @@ def status(sweep):
 def kill_all(process):
     """mpirun and its ranks, so that none of them writes any more."""
     process.send_signal(signal.SIGSTOP)  # it must not start another rank now
-    for pid in [*ranks_of(process), process.pid]:
-        try:
+    ranks = ranks_of(process)
+    for pid in [*ranks, process.pid]:
+        with contextlib.suppress(ProcessLookupError):
             os.kill(pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
     process.communicate(timeout=LIMIT)
+    wait_until_gone(ranks)
 
 
 class Looking(unittest.TestCase):

@@ -172,6 +172,21 @@ def ranks_of(process):
     return [int(pid) for pid in text.split()]
 
 
+def wait_until_gone(processes):
+    """Waits for the end of ranks after another rank, or mpirun, was killed."""
+    def runs(pid):
+        try:
+            return pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] not in "ZX"
+        except OSError:
+            return False
+
+    end = time.monotonic() + LIMIT
+    while any(runs(pid) for pid in processes):
+        if time.monotonic() > end:
+            raise AssertionError("a rank outlives the others, or its mpirun")
+        time.sleep(0.02)
+
+
 def wait_until_unlocked(sweep):
     """Waits for the end of ranks whose mpirun was killed."""
     end = time.monotonic() + 20
