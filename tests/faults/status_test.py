@@ -157,6 +157,15 @@ class Looking(unittest.TestCase):
         for command in ("status", "show", "export", "plot"):
             self.assertIn("not a journal", look(sweep, command, code=74).stderr)
 
+    def test_before_the_first_row(self):
+        sweep = Sweep()
+        self.assertEqual(sweep.run(2, "--max-time", "0").code, 75)
+        self.assertEqual(status(sweep)["done"], 0)
+        self.assertIn("0 of 360 rows, ", look(sweep, "show").stdout)
+        self.assertEqual(len(look(sweep, "export").stdout.splitlines()), 1)
+        for options in ([], ["--kind", "precision"], ["--kind", "stability"]):
+            self.assertIn("has no row yet", look(sweep, "plot", *options, code=66).stderr)
+
     def test_slices(self):
         sweep = Sweep(spec(steps=8000))
         process = sweep.start(2, "--slice", "1/4")

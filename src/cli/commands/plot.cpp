@@ -48,7 +48,7 @@ void override(PlotSpec& spec, const PlotOptions& options) {
 std::string title_of(const StoredSweep& stored, const PlotSpec& spec) {
   const std::string title = spec.title.empty() ? stored.table.info.title : spec.title;
   if (stored.complete) return title;
-  return fmt::format("{}{}{} of {} rows so far", title, title.empty() ? "" : ": ", stored.table.rows.size(),
+  return fmt::format("{}{}({} of {} rows so far)", title, title.empty() ? "" : " ", stored.table.rows.size(),
                      stored.total);
 }
 
@@ -78,6 +78,7 @@ int plot_table(const PlotOptions& options) {
     return 0;
   }
   const StoredSweep stored = read_sweep(options.table);
+  if (stored.table.rows.empty()) throw InputNotFound(fmt::format("plot: {} has no row yet", options.table));
   const std::vector<PlotSpec> all = stored.sweep ? stored.sweep->plots() : std::vector<PlotSpec>(1);
   if (options.kind == "precision") {
     plot_precision_of(stored.table.rows, stored.table.info.title, main_file);

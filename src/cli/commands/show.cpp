@@ -60,12 +60,13 @@ void print_text(const StoredSweep& stored, const ShowOptions& options, const std
                 std::size_t matching) {
   const Table& table = stored.table;
   const std::string of = stored.complete ? "" : fmt::format(" of {}", stored.total);
-  fmt::print("{}\n{}: {}{} rows ({}), spec {:016x}, {} on {}, {} {}\n{}\n", printable(table.info.title), options.table,
-             table.rows.size(), of, rows_by_status(table.rows), table.info.spec_hash, printable(table.info.start),
+  const std::string counts = table.rows.empty() ? "" : fmt::format(" ({})", rows_by_status(table.rows));
+  fmt::print("{}\n{}: {}{} rows{}, spec {:016x}, {} on {}, {} {}\n{}\n", printable(table.info.title), options.table,
+             table.rows.size(), of, counts, table.info.spec_hash, printable(table.info.start),
              printable(table.info.host), table.info.ranks, table.info.ranks == 1 ? "rank" : "ranks",
              slice_line(table.info.slice));
   if (rows.empty()) {
-    fmt::print("no such rows\n");
+    fmt::print("{}\n", table.rows.empty() ? "no row yet" : "no such rows");
     return;
   }
   print_columns(table.columns, rows, options.failed);

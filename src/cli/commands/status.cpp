@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/duration.hpp"
+#include "base/printable.hpp"
 #include "cli/command.hpp"
 #include "store/stored/stored_sweep.hpp"
 
@@ -48,15 +49,15 @@ void print_ranks(const RunState& run) {
     const std::string row = rank.row ? fmt::format("{}", *rank.row) : "-";
     const std::string silent =
         rank.silent ? fmt::format("  no heartbeat for {}", readable_duration(*rank.silent)) : std::string();
-    fmt::print("{:>6}  {:<24} {:>12}  {}{}\n", rank.rank, rank.host, row,
+    fmt::print("{:>6}  {:<24} {:>12}  {}{}\n", rank.rank, printable(rank.host), row,
                rank.seconds ? readable_duration(*rank.seconds) : "-", silent);
   }
 }
 
 void print_text(const std::string& table, const SweepStatus& status) {
   const auto& [info, columns, rows] = status.stored.table;
-  if (!info.title.empty()) fmt::print("{}\n", info.title);
-  const std::string known = status.run ? fmt::format(" ({})", status.run->known_by) : std::string();
+  if (!info.title.empty()) fmt::print("{}\n", printable(info.title));
+  const std::string known = status.run ? fmt::format(" ({})", printable(status.run->known_by)) : std::string();
   const std::string counts = rows.empty() ? std::string() : fmt::format(" ({})", rows_by_status(rows));
   fmt::print("{}: {}{}\n", table, status.state(), known);
   fmt::print("{} of {} rows{}\n", rows.size(), status.stored.total, counts);

@@ -183,8 +183,8 @@ void plot_precision(std::span<const PrecisionRow> rows, std::span<const std::str
 void plot_precision_of(std::span<const Row> rows, const std::string& title, const std::string& path) {
   Panel panel;
   const auto differs = [&](auto member) {
-    const auto first = rows[0].parameters.*member;
-    return std::ranges::any_of(rows, [&](const Row& row) { return row.parameters.*member != first; });
+    return std::ranges::any_of(
+        rows, [&](const Row& row) { return row.parameters.*member != rows.front().parameters.*member; });
   };
   const bool steps = differs(&Parameters::steps_per_tc), tolerances = differs(&Parameters::tolerance);
   for (const Row& row : rows) {
