@@ -33,8 +33,8 @@ Examples:
   sigmasweep show fig2a.h5 --where "sigma > 1 && method == md"       look at the table
 'sigmasweep COMMAND --help' says more. Units are SI everywhere.
 
-Exit codes: 0 all rows fine; 1 finished, but some rows failed; 64 bad command line; 65 bad spec; 66 input not found;
-70 a bug; 73 output cannot be created; 74 I/O error; 75 stopped on purpose (run it again to go on).)";
+Exit codes: 0 all rows fine; 3 finished, but some rows have no result; 64 bad command line; 65 bad spec; 66 input not
+found; 70 a bug; 73 output cannot be created; 74 I/O error; 75 stopped on purpose (run it again to go on).)";
 
 /// Options of a command in CLI11.
 class Cli11Options final : public OptionSet {

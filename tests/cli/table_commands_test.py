@@ -58,9 +58,9 @@ class TableCommands(unittest.TestCase):
         self.assertEqual((ended.returncode, ended.stderr), (0, ""), ended)
         return ended.stdout
 
-    def test_failed_rows_are_exit_code_1(self):
-        self.assertEqual(self.run_ended.returncode, 1, self.run_ended)
-        self.assertEqual(self.sigmasweep("run", "spec.toml", "-o", "table.h5").returncode, 1)
+    def test_rows_without_a_result_are_exit_code_3(self):
+        self.assertEqual(self.run_ended.returncode, 3, self.run_ended)
+        self.assertEqual(self.sigmasweep("run", "spec.toml", "-o", "table.h5").returncode, 3)
 
     def test_show_json_has_the_bits_of_the_file(self):
         document = json.loads(self.ok("show", "table.h5", "--json"))
@@ -99,7 +99,7 @@ class TableCommands(unittest.TestCase):
         self.assertEqual([row["repeat"] for row in rows], commands)
         for row in rows:
             again = self.sigmasweep(*shlex.split(row["repeat"])[1:], "--json")
-            self.assertEqual(again.returncode, 1, again)
+            self.assertEqual(again.returncode, 3, again)
             result = json.loads(again.stdout)
             for name in ("v0", "tc", "s0", "sigma", "N", "epsilon", "status"):
                 self.assertEqual(result[name], row[name])
@@ -175,7 +175,7 @@ fit = { form = "power", from = 0.1, to = 1 }
 guides = [{ slope = 0.5, label = "a guide" }, { y = 0.2 }]
 """
         (self.path / "plots.toml").write_text(plots)
-        self.assertEqual(self.sigmasweep("run", "plots.toml", "-o", "plots.h5").returncode, 1)
+        self.assertEqual(self.sigmasweep("run", "plots.toml", "-o", "plots.h5").returncode, 3)
         lines = self.ok("plot", "plots.h5").splitlines()
         self.assertEqual(lines[:2], ["plots.svg", "plots-loss.svg"])
         self.assertEqual(lines[2].split(), ["series", "slope", "error", "prefactor", "points"])

@@ -96,7 +96,7 @@ class Trial:
             test.assertIn(f"going on with {len(self.kept)} of {test.rows} rows", ended.err)
         self.left_out = {int(row) for row in re.findall(r"row (\d+) is left out", ended.err)}
         test.assertEqual(self.left_out, self.expected_to_be_left_out(), ended)
-        test.assertEqual(ended.code, 1 if self.left_out else 0, ended)
+        test.assertEqual(ended.code, 3 if self.left_out else 0, ended)
         if self.left_out:
             ended = sweep.run(2, "--retry")
             test.assertEqual(ended.code, 0, ended)

@@ -56,7 +56,7 @@ class LongTuple(unittest.TestCase):
         sweep = Sweep(LONG + "[run]\ntuple_time_limit = 0.3\n")
         for ranks in (0, 2):
             ended = sweep.run(ranks, "--fresh")
-            self.assertEqual(ended.code, 1, ended)
+            self.assertEqual(ended.code, 3, ended)
             self.assertEqual(statuses(sweep), ["ok", "ok", "ok", "time_limit"])
 
     def test_stop_does_not_wait(self):
@@ -89,7 +89,7 @@ class LongTuple(unittest.TestCase):
                     kill_rank(process, rank, ranks)
                     self.assertNotEqual(end_of(process).code, 0)
                 ended = sweep.run(ranks)
-                self.assertEqual(ended.code, 1, ended)
+                self.assertEqual(ended.code, 3, ended)
                 self.assertEqual(ended.err.count(f"row {LONG_ROW} is left out"), 1, ended)
                 self.assertEqual(statuses(sweep), ["ok", "ok", "ok", "quarantined"])
                 self.assertEqual(sweep.files(), ["sweep.toml", "table.h5"])
@@ -140,10 +140,10 @@ class Retry(unittest.TestCase):
         for ranks in (0, 2):
             with self.subTest(ranks=ranks):
                 sweep = Sweep(LONG + "[run]\ntuple_time_limit = 0.3\n")
-                self.assertEqual(sweep.run(ranks).code, 1)
+                self.assertEqual(sweep.run(ranks).code, 3)
                 before, results = sweep.timings(), sweep.results()
                 ended = sweep.run(ranks, "--retry")
-                self.assertEqual(ended.code, 1, ended)
+                self.assertEqual(ended.code, 3, ended)
                 self.assertIn("going on with 3 of 4 rows", ended.err)
                 self.assertEqual(sweep.results(), results)
                 after = sweep.timings()
@@ -153,14 +153,14 @@ class Retry(unittest.TestCase):
 
     def test_killed_retry_keeps_the_other_rows(self):
         sweep = Sweep(LONG + "[run]\ntuple_time_limit = 5.0\n")
-        self.assertEqual(sweep.run(2).code, 1)
+        self.assertEqual(sweep.run(2).code, 3)
         table, before = sweep.table.read_bytes(), sweep.timings()
         process, _ = start_long_rows(sweep, 0, "--retry")
         process.kill()
         end_of(process)
         self.assertEqual(sweep.table.read_bytes(), table)
         ended = sweep.run(2)
-        self.assertEqual(ended.code, 1, ended)
+        self.assertEqual(ended.code, 3, ended)
         self.assertIn("going on with 3 of 4 rows", ended.err)
         self.assertEqual(before[:LONG_ROW].tolist(), sweep.timings()[:LONG_ROW].tolist())
 
@@ -170,7 +170,7 @@ class Retry(unittest.TestCase):
             process, _ = start_long_rows(sweep, 0)
             kill_rank(process, 0, 0)
             end_of(process)
-        self.assertEqual(sweep.run(0).code, 1)
+        self.assertEqual(sweep.run(0).code, 3)
         self.assertEqual(statuses(sweep)[LONG_ROW], "quarantined")
         process, _ = start_long_rows(sweep, 2, "--retry")
         process.send_signal(signal.SIGUSR1)
@@ -180,7 +180,7 @@ class Retry(unittest.TestCase):
 
     def test_nothing_to_retry(self):
         sweep = Sweep(LONG.replace("1e6", "2.0").replace("0.9", "0.1"))  # unstable on any machine
-        self.assertEqual(sweep.run(0).code, 1)
+        self.assertEqual(sweep.run(0).code, 3)
         before = sweep.table.stat().st_mtime_ns
         ended = sweep.run(0, "--retry")
         self.assertIn("nothing to compute", ended.err)

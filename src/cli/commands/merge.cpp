@@ -115,7 +115,8 @@ int merge(const MergeOptions& options) {
   if (!options.quiet)
     fmt::print(stderr, "{}: {} rows from {} tables\n{}", options.output, rows.size(), options.parts.size(),
                summary(rows, Work{}, 1, 0.0));
-  return std::ranges::all_of(rows, [](const Row& row) { return is_success(row.result.status); }) ? 0 : 1;
+  const bool fine = std::ranges::all_of(rows, [](const Row& row) { return is_success(row.result.status); });
+  return fine ? exit_code::success : exit_code::some_rows_failed;
 }
 
 /// Merges on the manager, while the other ranks wait for it.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/exit_codes.hpp"
 #include "cli/command.hpp"
 #include "engine/compute_row.hpp"
 #include "sigmasweep/base/errors.hpp"
@@ -102,7 +103,7 @@ int one(const OneOptions& options) {
     fmt::print("{}\n", json_of(columns, row).dump(2));
   else
     print_result(columns, row);
-  return is_success(row.result.status) ? 0 : 1;
+  return is_success(row.result.status) ? exit_code::success : exit_code::some_rows_failed;
 }
 
 /// Names of a parameter's option: "--steps-per-tc", and the same with underscores as in a spec.
