@@ -8,6 +8,10 @@
 #include <thread>
 
 #include "base/exit_codes.hpp"
+#include "base/standard_error.hpp"
+#include "cli/complain.hpp"
+#include "cli/launcher.hpp"
+#include "engine/stop/stop_signals.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {
@@ -15,7 +19,7 @@ namespace {
 
 /// Ends all ranks after an error on one of them, which the others would wait for.
 [[noreturn]] void abort_all(const World& world, int exit_code, const char* message) {
-  fmt::print(stderr, "sigmasweep: rank {}: {}\n", world.rank(), message);
+  print_on_stderr(fmt::format("sigmasweep: rank {}: {}\n", world.rank(), message));
   world.abort(exit_code);
 }
 
@@ -30,14 +34,19 @@ void end_soon(int exit_code) {
 }  // namespace
 
 int on_all_ranks(int& argc, char**& argv, const std::function<int(World&)>& command) {
+  const StopSignals signals;  // from here on to the end of MPI
   World world(argc, argv);
+  if (const std::string why = why_wrong_launcher(world.size()); !why.empty()) {
+    complain(why, Speaker::rank_0);
+    return exit_code::usage_error;
+  }
   try {
     return command(world);
   } catch (const Error& error) {
     if (!world.is_manager()) abort_all(world, error.exit_code(), error.what());
     // The other ranks know of the error and return the same code. It is printed before MPI ends, because mpirun may end
     // this rank as soon as the first of them is gone.
-    fmt::print(stderr, "sigmasweep: {}\n", error.what());
+    print_on_stderr(fmt::format("sigmasweep: {}\n", error.what()));
     end_soon(error.exit_code());
     return error.exit_code();
   } catch (const std::exception& error) {

@@ -16,6 +16,9 @@ class World;
 /// second by every rank of mpirun.
 using Action = std::variant<std::function<int()>, std::function<int(World&)>>;
 
+/// Whether the ranks do it together.
+inline bool is_collective(const Action& action) { return std::holds_alternative<std::function<int(World&)>>(action); }
+
 /// A command of the program. Each file in cli/commands makes one.
 struct Command {
   std::string_view name;

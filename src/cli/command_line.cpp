@@ -11,6 +11,7 @@
 #include "base/exit_codes.hpp"
 #include "base/spelling.hpp"
 #include "cli/complain.hpp"
+#include "cli/launcher.hpp"
 #include "cli/registry.hpp"
 #include "cli/version.hpp"
 
@@ -112,15 +113,15 @@ std::string unknown_argument(const CLI::App& app) {
 }
 
 /// Prints help or version to standard output, or a mistake in one line to standard error. Returns the exit code.
-int explain(const CLI::App& app, const CLI::ParseError& error) {
+int explain(const CLI::App& app, const CLI::ParseError& error, Speaker speaker) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
-    return launched_rank() == 0 ? app.exit(error) : 0;
+    return speaker == Speaker::each_process || launched_rank() == 0 ? app.exit(error) : 0;
   std::string command;
   for (const CLI::App* asked : app.get_subcommands()) command += asked->get_name() + " ";
   const bool unknown = !app.remaining(true).empty() || command.empty();
   std::string message = unknown ? unknown_argument(app) : error.what();
   std::ranges::replace(message, '\n', ' ');
-  complain(fmt::format("{} (see sigmasweep {}--help)", message, command));
+  complain(fmt::format("{} (see sigmasweep {}--help)", message, command), speaker);
   return exit_code::usage_error;
 }
 
@@ -141,7 +142,9 @@ std::variant<Action, int> read_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return explain(app, error);
+    const auto asked = app.get_subcommands();
+    const bool together = !asked.empty() && is_collective(actions.at(asked.front()));
+    return explain(app, error, together ? Speaker::rank_0 : Speaker::each_process);
   }
   return actions.at(app.get_subcommands().front());
 }

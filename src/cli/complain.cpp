@@ -2,19 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <cstdlib>
+#include "base/standard_error.hpp"
+#include "cli/launcher.hpp"
 
 namespace sigmasweep {
 
-int launched_rank() {
-  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
-    if (const char* rank = std::getenv(name)) return std::atoi(rank);
-  return 0;
-}
-
-void complain(const std::string& message) {
-  if (launched_rank() == 0) fmt::print(stderr, "sigmasweep: {}\n", message);
+void complain(const std::string& message, Speaker speaker) {
+  if (speaker == Speaker::each_process || launched_rank() == 0)
+    print_on_stderr(fmt::format("sigmasweep: {}\n", message));
 }
 
 }  // namespace sigmasweep

@@ -4,10 +4,10 @@
 
 namespace sigmasweep {
 
-/// The rank of this process from the launcher's environment, before or without MPI_Init; 0 outside of mpirun and srun.
-int launched_rank();
+/// Who says what is wrong: each process for itself, or rank 0 for all that do a command together.
+enum class Speaker { each_process, rank_0 };
 
-/// Prints a message to standard error, on rank 0 only.
-void complain(const std::string& message);
+/// Prints a message to standard error.
+void complain(const std::string& message, Speaker speaker = Speaker::each_process);
 
 }  // namespace sigmasweep

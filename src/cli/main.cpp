@@ -21,26 +21,29 @@ int flushed(int code) {
   return exit_code::io_error;
 }
 
-/// Runs an action. If mpirun has started several processes, rank 0 runs a command for one process.
+/// Runs an action. A command for one process does its work in every process that mpirun has started.
 int perform(const Action& action, int& argc, char**& argv) {
   if (const auto* collective = std::get_if<std::function<int(World&)>>(&action))
     return on_all_ranks(argc, argv, *collective);
-  return launched_rank() == 0 ? std::get<std::function<int()>>(action)() : exit_code::success;
+  return std::get<std::function<int()>>(action)();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large becomes a failed write, whose message names the file
+  Speaker speaker = Speaker::each_process;
   try {
     const auto asked = read_command_line(argc, argv);
     if (const int* code = std::get_if<int>(&asked)) return flushed(*code);
-    return flushed(perform(std::get<Action>(asked), argc, argv));
+    const auto& action = std::get<Action>(asked);
+    if (is_collective(action)) speaker = Speaker::rank_0;
+    return flushed(perform(action, argc, argv));
   } catch (const Error& error) {
-    complain(error.what());
+    complain(error.what(), speaker);
     return error.exit_code();
   } catch (const std::exception& error) {
-    complain(fmt::format("internal error: {}", error.what()));
+    complain(fmt::format("internal error: {}", error.what()), speaker);
     return exit_code::internal_error;
   }
 }

@@ -13,6 +13,16 @@
 namespace sigmasweep {
 namespace {
 
+/// Started alone, the program needs no daemon beside it, which Open MPI would start and wait for at the end. Without
+/// the daemon all such processes of a machine would have the same directory for temporary files, which the first that
+/// ends takes away from the others; so they get none.
+void need_no_daemon() {
+  const bool is_launched = std::getenv("PMIX_NAMESPACE") != nullptr || std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr;
+  if (is_launched || std::getenv("OMPI_MCA_ess_singleton_isolated") != nullptr) return;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite=*/1);
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", /*overwrite=*/0);
+}
+
 /// Sets Open MPI's parameters unless the user chose otherwise. Other MPI libraries do not read them.
 void guard_open_mpi() {
   const auto unless_set = [](const char* name, const char* value) { setenv(name, value, /*overwrite=*/0); };
@@ -57,6 +67,7 @@ World::Block block_of(std::uint64_t total, std::uint64_t rank, std::uint64_t siz
 
 World::World(int& argc, char**& argv) {
   guard_open_mpi();
+  need_no_daemon();
   impl_ = std::make_unique<Impl>(argc, argv);
   if (boost::mpi::environment::thread_level() < boost::mpi::threading::funneled)
     throw std::runtime_error("this MPI library cannot be used beside threads (MPI_THREAD_FUNNELED)");

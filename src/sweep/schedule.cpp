@@ -74,6 +74,16 @@ Schedule::Chunk Schedule::next(double max_seconds) {
   return {};
 }
 
+Schedule::Chunk Schedule::shortest() {
+  Range* last = &to_do_;  // rows are sorted, so the shortest is at the end of a range
+  for (Range& range : passed_over_)
+    if (range.first < range.end && (last->first == last->end || range.end > last->end)) last = &range;
+  if (last->first == last->end) return {};
+  --last->end;
+  left_ = std::max(0.0, left_ - seconds_[last->end]);
+  return Chunk{rows_, seconds_}.from(last->end).first(1);
+}
+
 double Schedule::total_seconds() const { return total_; }
 double Schedule::longest_seconds() const { return longest_; }
 double Schedule::lower_bound_seconds() const { return std::max(total_ / ranks_, longest_); }

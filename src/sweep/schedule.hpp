@@ -33,6 +33,8 @@ class Schedule {
   /// The next chunk of rows that are predicted to take at most `max_seconds`; empty if there is none. Longer rows are
   /// passed over, and tried again after the others.
   Chunk next(double max_seconds = std::numeric_limits<double>::infinity());
+  /// The one row of those left that is predicted to take least; empty when there is none.
+  Chunk shortest();
   double total_seconds() const;
   double longest_seconds() const;
   /// max(total/ranks, longest), a lower bound of the makespan of any schedule.

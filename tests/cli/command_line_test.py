@@ -5,11 +5,13 @@ import math
 import os
 import pathlib
 import resource
+import shlex
 import subprocess
 import tempfile
 import unittest
 
 PROGRAM = os.environ["SIGMASWEEP"]
+MPIEXEC = shlex.split(os.environ["MPIEXEC"])
 COLUMN = "--v0 1 --tc 2e-5 --N 10 --epsilon 0.9".split()
 SPEC = """
 title = "Two by three"
@@ -195,12 +197,63 @@ class Answers(Files):
         self.assertEqual((ended.returncode, ended.stdout, ended.stderr.count("\n")), (65, "", 1), ended)
 
 
-class UnderALauncher(unittest.TestCase):
-    def test_other_ranks_are_silent(self):
+class UnderALauncher(Files):
+    def test_commands_for_one_process_work_in_each(self):
+        """As tasks of srun, ranks of mpirun, workers of mpi4py."""
+        for variables in ({"OMPI_COMM_WORLD_RANK": "1"}, {"SLURM_PROCID": "3"}, {"PMI_RANK": "2", "PMI_SIZE": "4"}):
+            environment = dict(os.environ, **variables)
+            ended = sigmasweep("one", *COLUMN, "--s0", 0, "--json", env=environment)
+            self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+            self.assertEqual(json.loads(ended.stdout)["N"], 10)
+            for arguments in (["one", "--bogus"], ["plto"], ["show", "missing.h5"]):
+                ended = sigmasweep(*arguments, env=environment)
+                self.assertIn(ended.returncode, (64, 66))
+                self.assertEqual((ended.stdout, ended.stderr.count("\n")), ("", 1), ended)
+            self.assertIn("Examples", sigmasweep("--help", env=environment).stdout)
+
+    def test_mpirun(self):
+        command = [*MPIEXEC, "-n", "3", PROGRAM, "one", *COLUMN, "--s0", "0"]
+        ended = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        self.assertEqual((ended.returncode, ended.stdout.count("eps_eff ")), (0, 3), ended)
+
+    def test_ranks_of_a_parallel_command_speak_once(self):
         environment = dict(os.environ, OMPI_COMM_WORLD_RANK="1")
-        for arguments, code in ((["--help"], 0), (["one", *COLUMN, "--s0", 0], 0), (["plto"], 64)):
+        for arguments, code in ((["run", "--help"], 0), (["run", "--bogus"], 64)):
             ended = sigmasweep(*arguments, env=environment)
             self.assertEqual((ended.returncode, ended.stdout, ended.stderr), (code, "", ""))
+
+    def test_launcher_of_another_mpi(self):
+        """Each process would be rank 0 of 1."""
+        spec = str(self.write(SPEC))
+        for command in (["run", spec], ["precision", spec], ["stability", spec], ["merge", "all.h5", "part.h5"]):
+            for variables in ({"PMI_SIZE": "4", "PMI_RANK": "0"}, {"MV2_COMM_WORLD_SIZE": "2"},
+                              {"SLURM_STEP_NUM_TASKS": "3"}):
+                ended = sigmasweep(*command, env=dict(os.environ, **variables), cwd=self.path)
+                self.assertEqual((ended.returncode, ended.stdout, ended.stderr.count("\n")), (64, "", 1), ended)
+                name, number = next(iter(variables.items()))
+                self.assertIn(f"{name} = {number}", ended.stderr)
+                self.assertIn("of another MPI", ended.stderr)
+                self.assertEqual(os.listdir(self.path), ["spec.toml"])
+        ended = sigmasweep("run", spec, env=dict(os.environ, PMI_SIZE="4", PMI_RANK="2"), cwd=self.path)
+        self.assertEqual((ended.returncode, ended.stderr), (64, ""), "not only rank 0 spoke")
+
+    def test_one_process_within_many_tasks(self):
+        """mpirun -n 1 in each task of srun."""
+        spec = str(self.write(SPEC))
+        command = [*MPIEXEC, "-n", "1", PROGRAM, "run", spec]
+        environment = dict(os.environ, SLURM_STEP_NUM_TASKS="4")
+        ended = subprocess.run(command, capture_output=True, text=True, timeout=60, cwd=self.path, env=environment)
+        self.assertEqual(ended.returncode, 0, ended)
+
+    def test_alone_there_is_no_daemon(self):
+        """Open MPI's singletons would start one, and wait for it at the end."""
+        spec = str(self.write(SPEC.replace("[0.1, 1, 10]", AXIS)))
+        with subprocess.Popen([PROGRAM, "run", spec], cwd=self.path, stderr=subprocess.PIPE, text=True) as run:
+            run.stderr.readline()  # MPI is there
+            children = pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text()
+            run.terminate()
+            run.stderr.read()
+        self.assertEqual((children, run.returncode), ("", 75))
 
 
 if __name__ == "__main__":

@@ -187,6 +187,26 @@ def wait_until_gone(processes):
         time.sleep(0.02)
 
 
+def wait_until_caught(process, ranks, number):
+    """Until the process (ranks = 0), or each of its ranks, handles the signal."""
+    end = time.monotonic() + LIMIT
+    while process.poll() is None and time.monotonic() < end:
+        pids = ranks_of(process) if ranks else [process.pid]
+        if len(pids) == max(ranks, 1) and all(catches(pid, number) for pid in pids):
+            return
+        time.sleep(0.001)
+    raise AssertionError(f"nobody handles signal {number}: {end_of(process)}")
+
+
+def catches(pid, number):
+    try:
+        status = pathlib.Path(f"/proc/{pid}/status").read_text()
+    except OSError:
+        return False
+    caught = next(int(line.split()[1], 16) for line in status.splitlines() if line.startswith("SigCgt"))
+    return bool(caught >> (number - 1) & 1)
+
+
 def wait_until_unlocked(sweep):
     """Waits for the end of ranks whose mpirun was killed."""
     end = time.monotonic() + 20

@@ -21,6 +21,8 @@ zip          = [["N", "steps_per_tc"]]
 integrator   = "gear5"
 steps_per_tc = [500.0, 1e6]
 """
+SLOW_ROW = spec(steps=1e6).replace("[2, 5, 10, 20]", "100").replace("[0.9, 0.8]", "0.9").replace(
+    "[1.0, 0.1, 0.01]", "1.0").replace("count = 15", "count = 1")
 QUICK, SLOW = spec(steps=20), spec(steps=40000)
 
 
@@ -58,6 +60,15 @@ class TimeLimit(unittest.TestCase):
             self.assertEqual(ended.code, 75, ended)
             self.assertLess(time.monotonic() - start, 10)  # 3 s, and start and end of MPI on a busy machine
             self.assertGreater(len(sweep.journalled()), 0)
+
+    def test_a_row_that_takes_longer(self):
+        """It is tried in each run, and the run says that the limit is too short."""
+        sweep = Sweep(SLOW_ROW)
+        for _ in range(2):
+            ended = sweep.run(2, "--max-time", "3")
+            self.assertEqual(ended.code, 75, ended)
+            self.assertIn("0 of 1 rows done, none of which within the 2", ended.err)
+            self.assertIn("it needs a longer time limit", ended.err)
 
     def test_refusals(self):
         sweep = Sweep(QUICK)
@@ -99,6 +110,19 @@ class InSlurmJob(unittest.TestCase):
             self.assertEqual(ended.code, 75, ended)
             self.assertRegex(ended.err, r"job 7 ends in 4(\.0)? s")
             self.assertEqual((sweep.path / "asked").read_text(), "-h -j 7 -o %L\n")
+
+    def test_an_end_long_past_is_of_another_job(self):
+        """A shell that outlived its job still has its variables."""
+        for ranks in (0, 2):
+            sweep = Sweep(QUICK)
+            ended = self.run_in_job(sweep, ranks, SLURM_JOB_END_TIME=str(int(time.time()) - 3600))
+            self.assertEqual(ended.code, 0, ended)
+            self.assertEqual(ended.err.count("SLURM_JOB_END_TIME was 1 h 00 min ago"), 1, ended)
+
+    def test_an_end_just_past_is_the_end(self):
+        sweep = Sweep(QUICK)
+        ended = self.run_in_job(sweep, 0, SLURM_JOB_END_TIME=str(int(time.time()) - 5))
+        self.assertEqual(ended.code, 75, ended)
 
     def test_no_limit(self):
         for answer in ("UNLIMITED", "NOT_SET", "2-00:00:00"):

@@ -92,6 +92,17 @@ class Slurm(unittest.TestCase):
             self.assertIn("stopped on purpose", job.output.read_text())
             self.check_results(sweep, job)
 
+    def test_terminated_it_requeues_itself(self):
+        """A TERM to all processes of the job, as before a job of higher rank: mpirun ends with 1 then."""
+        for launcher in ("mpirun", "srun --mpi=pmix"):
+            sweep = Sweep(SLOW)
+            job = Job("sweep.sbatch", sweep, ["--ntasks=2"], launcher=launcher)
+            job.wait_until("at work", lambda: len(sweep.journalled()) >= 20)
+            slurm("scancel", "--full", "--signal=TERM", job.id)
+            self.assertEqual(job.wait(), {"COMPLETED"}, job)
+            self.assertEqual(job.restarts(), 1, job)
+            self.check_results(sweep, job)
+
     def test_does_not_requeue_itself_for_nothing(self):
         sweep = Sweep(spec(steps=1e6).replace("[2, 5, 10, 20]", "20"))
         job = Job("sweep.sbatch", sweep, ["--ntasks=2"], ["--max-time", "1"])
@@ -122,6 +133,13 @@ class Slurm(unittest.TestCase):
         self.check_results(sweep, job)
         parts = [f"table.slice-{i}-of-4.h5" for i in range(4)]
         self.assertEqual(sweep.files(), ["job.out", "sweep.toml", "table.h5", *parts])
+
+    def test_array_from_1_with_trajectories(self):
+        sweep = Sweep(spec(steps=20) + "[trajectory]\nsamples = 11\nwhere = \"N == 2\"\n")
+        job = Job("array.sbatch", sweep, ["--array=1-3", "--ntasks=2"])
+        self.assertEqual(job.wait(), {"COMPLETED"}, job)
+        self.assertTrue(sweep.table.exists(), job)
+        self.assertEqual(len(list((sweep.path / "table.trajectories").glob("row-*.h5"))), 90, job)
 
     def test_time_limit(self):
         self.assertEqual(limited.job.wait(), {"COMPLETED"}, limited.job)

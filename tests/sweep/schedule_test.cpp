@@ -138,6 +138,19 @@ TEST(Schedule, PassesOverWhatIsTooLong) {
   EXPECT_EQ(next(9.0), Rows{});
 }
 
+TEST(Schedule, GivesTheShortestRowThatIsLeft) {
+  Schedule schedule({0, 1, 2, 3}, {8.0, 4.0, 2.0, 1.0}, 1);
+  const auto row_of = [](const Schedule::Chunk& chunk) { return std::vector(chunk.begin(), chunk.end()); };
+  using Rows = std::vector<std::uint64_t>;
+  EXPECT_EQ(row_of(schedule.shortest()), Rows{3});
+  EXPECT_EQ(row_of(schedule.next(1.0)), Rows{});  // all are passed over
+  EXPECT_EQ(row_of(schedule.shortest()), Rows{2});
+  EXPECT_EQ(row_of(schedule.next(4.0)), Rows{1});
+  EXPECT_EQ(row_of(schedule.shortest()), Rows{0});
+  EXPECT_EQ(row_of(schedule.shortest()), Rows{});
+  EXPECT_EQ(row_of(schedule.next()), Rows{});
+}
+
 TEST(Schedule, HandsOutEachRowOnceWithinAnyLimits) {
   const Rows rows = random_rows(5000, 13);
   Schedule schedule(rows.index, rows.seconds, 4);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/exit_codes.hpp"
+#include "base/standard_error.hpp"
 #include "cli/command.hpp"
 #include "engine/ledger/ledger.hpp"
 #include "engine/report/summary.hpp"
@@ -89,7 +90,7 @@ int merge(const MergeOptions& options) {
   Ledger ledger(sweep, options.output, LedgerOptions{.fresh = options.fresh, .info = std::move(whole)});
   if (ledger.table_is_complete()) {
     ledger.close();
-    if (!options.quiet) fmt::print(stderr, "sigmasweep: {} is complete, nothing to merge\n", options.output);
+    if (!options.quiet) print_on_stderr(fmt::format("sigmasweep: {} is complete, nothing to merge\n", options.output));
     return 0;
   }
   TableInfo info = first.info;
@@ -113,8 +114,8 @@ int merge(const MergeOptions& options) {
   }
   ledger.close();
   if (!options.quiet)
-    fmt::print(stderr, "{}: {} rows from {} tables\n{}", options.output, rows.size(), options.parts.size(),
-               summary(rows, Work{}, 1, 0.0));
+    print_on_stderr(fmt::format("{}: {} rows from {} tables\n{}", options.output, rows.size(), options.parts.size(),
+                                summary(rows, Work{}, 1, 0.0)));
   const bool fine = std::ranges::all_of(rows, [](const Row& row) { return is_success(row.result.status); });
   return fine ? exit_code::success : exit_code::some_rows_failed;
 }

@@ -24,7 +24,8 @@ struct Job {
   std::function<void(const Answer&)> finished;
   /// Whether to begin no further task. Polled on every rank.
   std::function<bool()> stop;
-  /// Longest predicted CPU time, s, of a chunk that may be handed out now. On the manager. Empty: no limit.
+  /// Longest predicted CPU time, s, of a chunk that may be handed out now. On the manager. Empty: no limit. As long as
+  /// it is positive and nothing has been handed out yet, the shortest task is, however long: predictions may be wrong.
   std::function<double()> max_seconds{};
   bool manager_computes = true;
 };

@@ -32,7 +32,10 @@ void Manager::run() {
   for (Backoff backoff; left_ > 0;) {
     if (!stopped_ && job_.stop()) stop();
     const bool news = look_for_messages();
-    if (look_at_own_worker(news ? Backoff::Duration(0) : backoff.next()) || news) backoff.reset();
+    if (look_at_own_worker(news ? Backoff::Duration(0) : backoff.next()) || news) {
+      backoff.reset();
+      if (job_.max_seconds) supply_idle();  // more tasks may be short enough, now that more is known of their times
+    }
     sending_.remove_if([](Sending& sending) { return sending.request.test().has_value(); });
   }
   for (Sending& sending : sending_) sending.request.wait();
@@ -84,15 +87,29 @@ void Manager::supply(int rank) {
   }
 }
 
+void Manager::supply_idle() {
+  for (int rank = 0; rank < workers_.size(); ++rank)
+    if (worker_[rank].tasks_out == 0) supply(rank);
+}
+
 bool Manager::wants_chunk(const Worker& worker) const {
   if (worker.tasks_out == 0) return true;
   return worker.tasks_out <= worker.last_chunk_tasks && worker.last_chunk_seconds < prefetch_seconds;
 }
 
 Schedule::Chunk Manager::next_piece() {
-  if (piece_.empty()) piece_ = job_.max_seconds ? schedule_.next(job_.max_seconds()) : schedule_.next();
+  if (piece_.empty()) piece_ = next_chunk();
   const std::size_t tasks = std::min(max_piece_tasks, piece_.size());
   return std::exchange(piece_, piece_.from(tasks)).first(tasks);
+}
+
+Schedule::Chunk Manager::next_chunk() {
+  if (!job_.max_seconds) return schedule_.next();
+  const double max_seconds = job_.max_seconds();
+  Schedule::Chunk chunk = schedule_.next(max_seconds);
+  if (chunk.empty() && !handed_out_ && max_seconds > 0.0) chunk = schedule_.shortest();
+  handed_out_ = handed_out_ || !chunk.empty();
+  return chunk;
 }
 
 void Manager::hand_out(int rank, const Schedule::Chunk& piece) {

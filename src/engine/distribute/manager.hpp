@@ -45,6 +45,7 @@ class Manager {
   void take(int rank, const wire::Bytes& answers);
   void mark_gone(int rank);
   void supply(int rank);
+  void supply_idle();
   bool wants_chunk(const Worker& worker) const;
   void hand_out(int rank, const Schedule::Chunk& piece);
   void send(int rank, message::Tag tag, wire::Bytes bytes);
@@ -52,6 +53,7 @@ class Manager {
   void dismiss_all();
   void stop();
   Schedule::Chunk next_piece();
+  Schedule::Chunk next_chunk();
 
   const boost::mpi::communicator& workers_;
   Schedule& schedule_;
@@ -61,6 +63,7 @@ class Manager {
   Schedule::Chunk piece_;       // of the schedule's chunk, still to be handed out
   std::list<Sending> sending_;  // until MPI has taken them
   bool stopped_ = false;
+  bool handed_out_ = false;                 // anything at all
   std::optional<ThreadWorker> own_worker_;  // last: its thread ends before the rest goes
 };
 

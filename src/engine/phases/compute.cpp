@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/duration.hpp"
 #include "engine/compute_row.hpp"
 #include "engine/distribute/distribute.hpp"
 #include "engine/phases/phase.hpp"
@@ -106,6 +107,14 @@ Job<SweepTask, Row> sweep_job(const World& world, const Sweep& sweep, RunNotes& 
   return job;
 }
 
+/// Why a run ends without all rows, as part of a sentence; empty if it was told to stop.
+std::string why_stopped(const StopRequest& stop, const Computed& computed) {
+  if (!stop.made()) return ", the others would not end in time";
+  if (StopRequest::Clock::now() < stop.end() || computed.work.rows > 0 || computed.wall_seconds < 1.0) return {};
+  return fmt::format(", none of which within the {} there were: it needs a longer time limit",
+                     readable_duration(computed.wall_seconds));
+}
+
 }  // namespace
 
 Computed compute_rows(const World& world, OpenSweep& open, RunNotes& notes, std::optional<Deadline>& deadline,
@@ -132,8 +141,7 @@ Computed compute_rows(const World& world, OpenSweep& open, RunNotes& notes, std:
     computed.is_complete = open.ledger->is_complete();
     if (computed.is_complete) return;
     reporter.warn(fmt::format("stopped on purpose with {} of {} rows done{}; {} to go on", open.ledger->there(),
-                              open.rows(), stop.made() ? "" : ", the others would not end in time",
-                              open.restart_hint()));
+                              open.rows(), why_stopped(stop, computed), open.restart_hint()));
   });
   computed.is_complete = world.broadcast(std::int64_t{computed.is_complete}) != 0;
   return computed;

@@ -10,7 +10,11 @@ namespace sigmasweep {
 
 bool record_trajectories(const World& world, OpenSweep& open, const StopRequest& stop, const Reporter& reporter) {
   on_manager(world, [&] { open.ledger->close(); });
-  if (!open.sweep.trajectory() || !open.slice.is_whole()) return true;
+  if (!open.sweep.trajectory()) return true;
+  if (!open.slice.is_whole()) {
+    on_manager(world, [&] { reporter.say("a slice has no trajectories: 'run' without --slice records them after 'merge'"); });
+    return true;
+  }
   TrajectoryCount count;
   on_all_ranks(world, [&] { count = write_trajectories(world, open.sweep, open.table, open.manager_rows(), stop); });
   on_manager(world, [&] {

@@ -5,14 +5,10 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/standard_error.hpp"
+
 namespace sigmasweep {
 namespace {
-
-/// A message that cannot be written (a full disk under the log) is no reason to end a run.
-void print_on_stderr(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stderr) != text.size() || std::fflush(stderr) != 0)
-    std::clearerr(stderr);
-}
 
 /// The stream remembers what could not be written.
 void print_on_stdout(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }

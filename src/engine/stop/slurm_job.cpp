@@ -30,6 +30,12 @@ SlurmJob ask_slurm() {
   const auto now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   const auto end_time = parse_duration(end);
   if (!end_time) return {job, std::nullopt, fmt::format("SLURM_JOB_END_TIME = '{}' is no time: it is ignored", end)};
+  // A shell that outlives its job (tmux, an editor's terminal) keeps the job's variables.
+  constexpr double long_ago = 600.0;
+  if (now - *end_time > long_ago)
+    return {job, std::nullopt,
+            fmt::format("SLURM_JOB_END_TIME was {} ago: that job is over, and its end is ignored",
+                        readable_duration(now - *end_time))};
   return {job, *end_time > now ? *end_time - now : 0.0, {}};
 }
 

@@ -1,20 +1,16 @@
 #pragma once
 
-#include <array>
 #include <chrono>
-#include <csignal>
+
+#include "engine/stop/stop_signals.hpp"
 
 namespace sigmasweep {
 
-/// Whether this rank is asked to stop. While the object lives, SIGTERM, SIGINT and SIGUSR1 ask for it instead of
-/// killing the process; so does the end of its time, if it has one. There may be one such object at a time.
+/// Whether this rank is asked to stop: by a signal (StopSignals), or by the end of its time, if it has one. There may
+/// be one such object at a time.
 class StopRequest {
  public:
   using Clock = std::chrono::steady_clock;
-  StopRequest();
-  ~StopRequest();
-  StopRequest(const StopRequest&) = delete;
-  StopRequest& operator=(const StopRequest&) = delete;
 
   /// Sets the end of the time to so many seconds from now.
   void end_in(double seconds);
@@ -22,8 +18,7 @@ class StopRequest {
   Clock::time_point end() const { return end_; }
 
  private:
-  static constexpr std::array signals_{SIGTERM, SIGINT, SIGUSR1};
-  std::array<struct sigaction, signals_.size()> before_{};
+  StopSignals signals_;
   Clock::time_point end_ = Clock::time_point::max();
 };
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/exit_codes.hpp"
+#include "base/standard_error.hpp"
 #include "engine/distribute/distribute.hpp"
 #include "engine/report/progress.hpp"
 #include "engine/report/provenance.hpp"
@@ -148,7 +149,7 @@ int precision_study(World& world, const PrecisionOptions& options) {
   const std::string table = options.output.empty() ? default_table(options.spec) : options.output;
   return run_on_root(world, [&] {
     if (!complete) {
-      fmt::print(stderr, "sigmasweep: stopped before all scenes were measured; nothing is written\n");
+      print_on_stderr("sigmasweep: stopped before all scenes were measured; nothing is written\n");
       return stopped;
     }
     fmt::print("{}", precision_text(rows, sweep->axes()));
@@ -156,7 +157,7 @@ int precision_study(World& world, const PrecisionOptions& options) {
       fmt::print("\n{} ranks shared a processor: the times are CPU times, but caches were shared, too\n",
                  rows.front().ranks_per_core);
     write_precision_table(table, table_info(*sweep, start, world.size()), parameters_of(*sweep), rows);
-    fmt::print(stderr, "{}\n", table);
+    print_on_stderr(table + "\n");
     for (const char* form : {".svg", ".png"})
       if (options.plots)
         draw_precision(*sweep, rows, std::filesystem::path(table).replace_extension(form).string(), "", stderr);

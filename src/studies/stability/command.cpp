@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "base/exit_codes.hpp"
+#include "base/standard_error.hpp"
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/fields.hpp"
@@ -53,7 +54,7 @@ int stability_study(World& world, const StabilityOptions& options) {
       if (!options.plots) break;
       const std::string picture = std::filesystem::path(table).replace_extension(form).string();
       plot_stability(rows, map, stored.sweep->axes(), stored.table.info.title, picture);
-      fmt::print(stderr, "{}\n", picture);
+      print_on_stderr(picture + "\n");
     }
     return std::ranges::all_of(rows, is_well) ? success : some_rows_failed;
   });

@@ -217,6 +217,34 @@ TEST(Distribute, ARankWithNothingToDoCanAskForTheStop) {
   EXPECT_TRUE(trial.came.empty());
 }
 
+TEST(Distribute, BeginsTheShortestTaskWherePredictionsAloneSayThatNoneEndsInTime) {
+  PreparedRun trial(10, 10.0);
+  trial.job.max_seconds = [] { return 5.0; };
+  trial.run();
+  EXPECT_EQ(sum_over_ranks(trial.computed), 1);
+  if (world().is_manager()) {
+    EXPECT_EQ(trial.came.size(), 1u);
+  }
+}
+
+TEST(Distribute, GoesOnOnAllRanksOnceItIsKnownThatTasksAreShorter) {
+  PreparedRun trial(40, 10.0);
+  trial.pause = [](std::uint64_t) { return std::chrono::milliseconds(20); };
+  trial.job.max_seconds = [&] { return trial.came.empty() ? 5.0 : 20.0; };
+  trial.run();
+  trial.expect_all(40);
+  if (world().is_manager()) {
+    EXPECT_EQ(static_cast<int>(trial.rows_of.size()), world().size());
+  }
+}
+
+TEST(Distribute, WithoutTimeBeginsNothing) {
+  PreparedRun trial(10, 10.0);
+  trial.job.max_seconds = [] { return 0.0; };
+  trial.run();
+  EXPECT_EQ(sum_over_ranks(trial.computed), 0);
+}
+
 TEST(Distribute, CanBeDoneAgainAndAgain) {
   for (int i = 0; i < 20; ++i) {
     PreparedRun trial(10);
