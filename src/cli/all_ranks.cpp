@@ -11,6 +11,7 @@
 #include "base/standard_error.hpp"
 #include "cli/complain.hpp"
 #include "cli/launcher.hpp"
+#include "engine/stop/last_resort.hpp"
 #include "engine/stop/stop_signals.hpp"
 #include "sigmasweep/base/errors.hpp"
 
@@ -35,6 +36,7 @@ void end_soon(int exit_code) {
 
 int on_all_ranks(int& argc, char**& argv, const std::function<int(World&)>& command) {
   const StopSignals signals;  // from here on to the end of MPI
+  const LastResort last_resort(launched_rank());
   World world(argc, argv);
   if (const std::string why = why_wrong_launcher(world.size()); !why.empty()) {
     complain(why, Speaker::rank_0);

@@ -2,6 +2,7 @@
 
 #include "base/exit_codes.hpp"
 #include "engine/phases/compute.hpp"
+#include "engine/phases/give_up.hpp"
 #include "engine/phases/limit_time.hpp"
 #include "engine/phases/note_run.hpp"
 #include "engine/phases/open.hpp"
@@ -9,6 +10,7 @@
 #include "engine/phases/record_trajectories.hpp"
 #include "engine/phases/report.hpp"
 #include "engine/phases/write.hpp"
+#include "engine/stop/last_resort.hpp"
 #include "engine/stop/stop.hpp"
 
 namespace sigmasweep {
@@ -22,6 +24,7 @@ int run_phases(const World& world, const RunOptions& options, const Reporter& re
   bool finished = open.table_is_complete;
   if (!finished) {
     NotedRun noted(world, open, reporter);
+    LastResort::prepare_by([table = open.table] { return give_up_without_manager(table); });
     computed = compute_rows(world, open, noted.notes(), deadline, stop, reporter);
     finished = computed.is_complete;
     if (finished) write_rows(world, open);

@@ -21,8 +21,16 @@ zip          = [["N", "steps_per_tc"]]
 integrator   = "gear5"
 steps_per_tc = [500.0, 1e6]
 """
-SLOW_ROW = spec(steps=1e6).replace("[2, 5, 10, 20]", "100").replace("[0.9, 0.8]", "0.9").replace(
-    "[1.0, 0.1, 0.01]", "1.0").replace("count = 15", "count = 1")
+SLOW_ROW = """
+[sweep]
+N            = 100
+epsilon      = 0.9
+v0           = 1.0
+tc           = 1e-5
+sigma        = 0.1
+integrator   = "verlet"
+steps_per_tc = 1e6
+"""
 QUICK, SLOW = spec(steps=20), spec(steps=40000)
 
 

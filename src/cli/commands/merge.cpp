@@ -11,6 +11,7 @@
 #include "cli/command.hpp"
 #include "engine/ledger/ledger.hpp"
 #include "engine/report/summary.hpp"
+#include "engine/stop/stop_signals.hpp"
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/stored/stored_sweep.hpp"
@@ -99,6 +100,8 @@ int merge(const MergeOptions& options) {
   std::uint64_t slices = 1;
   try {
     for (std::size_t i = 0; i < options.parts.size(); ++i) {
+      if (StopSignals::came())
+        throw Error(exit_code::stopped, "stopped before all parts were read; nothing was written");
       const Table part = i == 0 ? std::move(first) : read_part(options.parts[i], &info);
       add(rows, part, options.parts[i]);
       slices = std::max(slices, part.info.slice.count);

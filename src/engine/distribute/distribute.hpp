@@ -27,6 +27,10 @@ struct Job {
   /// Longest predicted CPU time, s, of a chunk that may be handed out now. On the manager. Empty: no limit. As long as
   /// it is positive and nothing has been handed out yet, the shortest task is, however long: predictions may be wrong.
   std::function<double()> max_seconds{};
+  /// Is called at most once, on the manager, when ranks that were told to quit have not answered for long. They may
+  /// never do: the function should end them, and this process. If it returns, the manager goes on waiting.
+  std::function<void(const std::vector<SilentRank>&)> silent{};
+  Patience patience{};
   bool manager_computes = true;
 };
 
@@ -36,7 +40,8 @@ void distribute_bytes(const World& world, Schedule* schedule, const ByteJob& job
 /// Hands out the tasks of `schedule` (the manager's; unused elsewhere) and returns on all ranks when everything handed
 /// out has come back. When `stop` of any rank says so, no further task is begun: tasks in flight come back if they end
 /// within half a second, the others and the rest of the chunks are dropped. A rank for which no chunk is short enough
-/// gets none any more. With one rank the manager computes, whatever `job` says.
+/// gets none any more. Towards the end, tasks that are overdue are handed out a second time, to a rank that has nothing
+/// to do; the first answer counts, and the other is dropped. With one rank the manager computes, whatever `job` says.
 template <class Task, class Answer>
 void distribute(const World& world, Schedule* schedule, const Job<Task, Answer>& job) {
   ByteJob bytes;
@@ -51,16 +56,16 @@ void distribute(const World& world, Schedule* schedule, const Job<Task, Answer>&
     if (answer) wire::append(answers, *answer);
     return answer.has_value();
   };
-  bytes.finished = [&job](std::span<const std::byte> answers) {
-    std::size_t count = 0;
-    for (Answer answer; !answers.empty(); ++count) {
+  bytes.finished = [&job](std::span<const std::byte> answers, const std::function<bool()>& is_wanted) {
+    for (Answer answer; !answers.empty();) {
       wire::take(answers, answer);
-      job.finished(answer);
+      if (is_wanted()) job.finished(answer);
     }
-    return count;
   };
   bytes.stop = job.stop;
   bytes.max_seconds = job.max_seconds;
+  bytes.silent = job.silent;
+  bytes.patience = job.patience;
   bytes.manager_computes = job.manager_computes;
   distribute_bytes(world, schedule, bytes);
 }

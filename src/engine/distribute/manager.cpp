@@ -19,7 +19,8 @@ Manager::Manager(const World& world, Schedule& schedule, const ByteJob& job)
     : workers_(world.impl().communicator),
       schedule_(schedule),
       job_(job),
-      worker_(static_cast<std::size_t>(world.size())) {
+      worker_(static_cast<std::size_t>(world.size())),
+      out_(world.size()) {
   if (job.manager_computes || world.size() == 1)
     own_worker_.emplace(job);
   else
@@ -37,6 +38,8 @@ void Manager::run() {
       if (job_.max_seconds) supply_idle();  // more tasks may be short enough, now that more is known of their times
     }
     sending_.remove_if([](Sending& sending) { return sending.request.test().has_value(); });
+    copy_overdue_tasks();
+    tell_of_silent_ranks();
   }
   for (Sending& sending : sending_) sending.request.wait();
 }
@@ -66,7 +69,9 @@ bool Manager::look_at_own_worker(std::chrono::microseconds wait) {
   return !mail.empty();
 }
 
-void Manager::take(int rank, const wire::Bytes& answers) { worker_[rank].tasks_out -= job_.finished(answers); }
+void Manager::take(int rank, const wire::Bytes& answers) {
+  job_.finished(answers, [&] { return out_.answered(rank); });
+}
 
 void Manager::mark_gone(int rank) {
   worker_[rank].gone = true;
@@ -75,26 +80,50 @@ void Manager::mark_gone(int rank) {
 
 void Manager::supply(int rank) {
   Worker& worker = worker_[rank];
-  while (!worker.dismissed && wants_chunk(worker)) {
+  while (!worker.dismissed && wants_chunk(rank)) {
     const Schedule::Chunk piece = next_piece();
     if (!piece.empty()) {
       hand_out(rank, piece);
       continue;
     }
     // A worker that has nothing to do stays: its rank may still be asked to stop the others.
-    if (std::ranges::all_of(worker_, [](const Worker& w) { return w.tasks_out == 0; })) dismiss_all();
+    if (out_.all_are_back()) dismiss_all();
     return;
   }
 }
 
-void Manager::supply_idle() {
-  for (int rank = 0; rank < workers_.size(); ++rank)
-    if (worker_[rank].tasks_out == 0) supply(rank);
+void Manager::copy_overdue_tasks() {
+  for (int rank = 0; rank < workers_.size(); ++rank) {
+    if (worker_[rank].dismissed || out_.count(rank) > 0) continue;  // it has been supplied: there is nothing else
+    std::vector<std::uint64_t> rows;
+    std::vector<double> seconds;
+    for (const TasksOut::Task& task : out_.take_overdue(job_.patience.overdue)) {
+      rows.push_back(task.row);
+      seconds.push_back(task.predicted_seconds);
+    }
+    if (!rows.empty()) hand_out(rank, {rows, seconds});
+  }
 }
 
-bool Manager::wants_chunk(const Worker& worker) const {
-  if (worker.tasks_out == 0) return true;
-  return worker.tasks_out <= worker.last_chunk_tasks && worker.last_chunk_seconds < prefetch_seconds;
+void Manager::tell_of_silent_ranks() {
+  if (told_of_silent_ranks_ || !job_.silent || !std::ranges::all_of(worker_, &Worker::dismissed)) return;
+  if (since_quit_.look() < job_.patience.silent) return;
+  told_of_silent_ranks_ = true;
+  std::vector<SilentRank> silent;
+  for (int rank = 0; rank < workers_.size(); ++rank)
+    if (!worker_[rank].gone) silent.push_back({rank, out_.first_missing(rank)});
+  if (!silent.empty()) job_.silent(silent);
+}
+
+void Manager::supply_idle() {
+  for (int rank = 0; rank < workers_.size(); ++rank)
+    if (out_.count(rank) == 0) supply(rank);
+}
+
+bool Manager::wants_chunk(int rank) const {
+  const Worker& worker = worker_[rank];
+  if (out_.count(rank) == 0) return true;
+  return out_.count(rank) <= worker.last_chunk_tasks && worker.last_chunk_seconds < prefetch_seconds;
 }
 
 Schedule::Chunk Manager::next_piece() {
@@ -118,9 +147,9 @@ void Manager::hand_out(int rank, const Schedule::Chunk& piece) {
   for (std::size_t i = 0; i < piece.size(); ++i) {
     job_.append_task(piece.rows[i], piece.predicted_seconds[i], tasks);
     seconds += piece.predicted_seconds[i];
+    out_.hand_out(rank, {piece.rows[i], piece.predicted_seconds[i]});
   }
   Worker& worker = worker_[rank];
-  worker.tasks_out += piece.size();
   worker.last_chunk_tasks = piece.size();
   worker.last_chunk_seconds = seconds;
   if (rank == message::manager_rank) return own_worker_->give(std::move(tasks));

@@ -10,7 +10,9 @@
 
 #include "engine/distribute/byte_job.hpp"
 #include "engine/distribute/messages.hpp"
+#include "engine/distribute/tasks_out.hpp"
 #include "engine/distribute/thread_worker.hpp"
+#include "engine/stop/last_resort.hpp"
 #include "mpi/world.hpp"
 #include "sweep/schedule.hpp"
 
@@ -29,7 +31,6 @@ class Manager {
 
  private:
   struct Worker {
-    std::uint64_t tasks_out = 0;  ///< handed out, not back yet
     std::uint64_t last_chunk_tasks = 0;
     double last_chunk_seconds = 0.0;  ///< predicted
     bool dismissed = false;           ///< was told to quit
@@ -44,9 +45,11 @@ class Manager {
   bool look_at_own_worker(std::chrono::microseconds wait);
   void take(int rank, const wire::Bytes& answers);
   void mark_gone(int rank);
+  void copy_overdue_tasks();
+  void tell_of_silent_ranks();
   void supply(int rank);
   void supply_idle();
-  bool wants_chunk(const Worker& worker) const;
+  bool wants_chunk(int rank) const;
   void hand_out(int rank, const Schedule::Chunk& piece);
   void send(int rank, message::Tag tag, wire::Bytes bytes);
   void dismiss(int rank);
@@ -59,6 +62,9 @@ class Manager {
   Schedule& schedule_;
   const ByteJob& job_;
   std::vector<Worker> worker_;  // by rank
+  TasksOut out_;
+  AwakeTime since_quit_;
+  bool told_of_silent_ranks_ = false;
   int left_ = 0;                // workers that are not gone
   Schedule::Chunk piece_;       // of the schedule's chunk, still to be handed out
   std::list<Sending> sending_;  // until MPI has taken them

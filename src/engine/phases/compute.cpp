@@ -9,6 +9,7 @@
 #include "base/duration.hpp"
 #include "engine/compute_row.hpp"
 #include "engine/distribute/distribute.hpp"
+#include "engine/phases/give_up.hpp"
 #include "engine/phases/phase.hpp"
 #include "engine/report/progress.hpp"
 #include "engine/report/unstable_rows.hpp"
@@ -123,6 +124,7 @@ Computed compute_rows(const World& world, OpenSweep& open, RunNotes& notes, std:
   std::optional<RowIntake> intake;
   Job<SweepTask, Row> job = sweep_job(world, open.sweep, notes, stop, intake);
   if (deadline) job.max_seconds = [&] { return deadline->max_seconds(); };
+  job.silent = [&](const std::vector<SilentRank>& silent) { give_up(silent, open, reporter); };
   on_manager(world, [&] {
     const std::uint64_t missing = open.rows() - open.ledger->kept();
     announce(reporter, missing, world.size());

@@ -9,6 +9,7 @@
 
 #include "base/duration.hpp"
 #include "engine/phases/phase.hpp"
+#include "engine/stop/last_resort.hpp"
 #include "engine/stop/slurm_job.hpp"
 
 namespace sigmasweep {
@@ -36,6 +37,7 @@ std::optional<Deadline> limit_time(const World& world, const OpenSweep& open, st
   seconds = world.broadcast(seconds);
   if (!std::isfinite(seconds)) return std::nullopt;
   stop.end_in(seconds);
+  LastResort::expect_stop_at(stop.end());
   const double crowding = world.crowding();
   if (!world.is_manager()) return std::nullopt;
   Deadline deadline(stop.end(), crowding);

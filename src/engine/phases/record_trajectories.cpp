@@ -12,7 +12,8 @@ bool record_trajectories(const World& world, OpenSweep& open, const StopRequest&
   on_manager(world, [&] { open.ledger->close(); });
   if (!open.sweep.trajectory()) return true;
   if (!open.slice.is_whole()) {
-    on_manager(world, [&] { reporter.say("a slice has no trajectories: 'run' without --slice records them after 'merge'"); });
+    on_manager(world,
+               [&] { reporter.say("a slice has no trajectories: 'run' without --slice records them after 'merge'"); });
     return true;
   }
   TrajectoryCount count;

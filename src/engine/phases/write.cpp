@@ -4,6 +4,8 @@
 
 #include "engine/phases/phase.hpp"
 #include "engine/report/provenance.hpp"
+#include "engine/stop/deadline.hpp"
+#include "engine/stop/last_resort.hpp"
 #include "store/table/table.hpp"
 
 namespace sigmasweep {
@@ -13,8 +15,11 @@ void write_rows(const World& world, const OpenSweep& open) {
   info.slice = open.slice;
   const auto first = world.block(open.rows()).first;
   const std::vector<Row> block = world.scatter(open.manager_rows(), open.rows());
+  LastResort::allow(
+      time_for_the_end(0.0, double(open.rows()) * double(sizeof(Row))));  // it is finished after a stop, too
   on_all_ranks(world,
                [&] { write_table(world.comm(), open.table, info, open.sweep.columns(), open.rows(), first, block); });
+  LastResort::allow(0.0);
 }
 
 }  // namespace sigmasweep

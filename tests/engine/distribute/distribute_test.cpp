@@ -245,6 +245,53 @@ TEST(Distribute, WithoutTimeBeginsNothing) {
   EXPECT_EQ(sum_over_ranks(trial.computed), 0);
 }
 
+/// The only row goes to the manager's own worker, which does not get it done before it is told to quit.
+TEST(Distribute, AnOverdueTaskIsComputedOnAnIdleRank) {
+  if (world().size() == 1) return;
+  PreparedRun trial(1);
+  trial.job.patience.overdue = 0.2;
+  const auto compute = trial.job.compute;
+  trial.job.compute = [&](const SweepTask& task, const auto& to_end) -> std::optional<Row> {
+    if (!world().is_manager()) return compute(task, to_end);
+    while (!to_end()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return std::nullopt;
+  };
+  trial.run();
+  trial.expect_all(1);
+  EXPECT_FALSE(trial.rows_of.contains(0));
+}
+
+TEST(Distribute, OfTwoAnswersTheFirstCounts) {
+  if (world().size() == 1) return;
+  for (const bool manager_is_first : {true, false}) {
+    PreparedRun trial(1);
+    trial.job.patience.overdue = 0.2;
+    const bool first = world().is_manager() == manager_is_first;
+    trial.pause = [first](std::uint64_t) { return std::chrono::milliseconds(first ? 600 : 1200); };
+    trial.run();
+    trial.expect_all(1);
+    if (world().is_manager()) {
+      EXPECT_EQ(trial.rows_of.contains(0), manager_is_first);
+    }
+  }
+}
+
+TEST(Distribute, ARankThatDoesNotAnswerAfterAStopIsNamedWithItsTask) {
+  PreparedRun trial(20, 100.0);
+  trial.job.patience.silent = 0.3;
+  const bool is_last = world().rank() + 1 == world().size();
+  trial.job.stop = [&] { return world().is_manager() && (is_last ? trial.computed > 0 : !trial.came.empty()); };
+  trial.pause = [is_last](std::uint64_t) { return std::chrono::milliseconds(is_last ? 1500 : 100); };
+  std::vector<SilentRank> named;
+  trial.job.silent = [&](const std::vector<SilentRank>& silent) { named = silent; };
+  trial.run();  // the rank answers after all
+  if (!world().is_manager()) return;
+  ASSERT_EQ(named.size(), 1u);
+  EXPECT_EQ(named.front().rank, world().size() - 1);
+  ASSERT_TRUE(named.front().task.has_value());
+  EXPECT_TRUE(trial.came.contains(*named.front().task));
+}
+
 TEST(Distribute, CanBeDoneAgainAndAgain) {
   for (int i = 0; i < 20; ++i) {
     PreparedRun trial(10);

@@ -1,0 +1,57 @@
+#include "engine/distribute/tasks_out.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sigmasweep {
+
+void TasksOut::hand_out(int rank, const Task& task) {
+  Rank& to = rank_[static_cast<std::size_t>(rank)];
+  if (to.tasks.empty()) to.since = Clock::now();
+  to.tasks.push_back(task);
+}
+
+bool TasksOut::answered(int rank) {
+  Rank& from = rank_[static_cast<std::size_t>(rank)];
+  const Task task = from.tasks.front();
+  from.tasks.pop_front();
+  from.since = Clock::now();
+  const auto twin = twice_.find(task.row);
+  return twin == twice_.end() || !std::exchange(twin->second, true);
+}
+
+bool TasksOut::is_missing(const Task& task) const {
+  const auto twin = twice_.find(task.row);
+  return twin == twice_.end() || !twin->second;
+}
+
+bool TasksOut::all_are_back() const {
+  return std::ranges::none_of(rank_, [this](const Rank& rank) {
+    return std::ranges::any_of(rank.tasks, [this](const Task& task) { return is_missing(task); });
+  });
+}
+
+std::optional<std::uint64_t> TasksOut::first_missing(int rank) const {
+  for (const Task& task : rank_[static_cast<std::size_t>(rank)].tasks)
+    if (is_missing(task)) return task.row;
+  return std::nullopt;
+}
+
+bool TasksOut::is_overdue(const Rank& rank, double seconds) {
+  if (rank.tasks.empty()) return false;
+  const double waited = std::chrono::duration<double>(Clock::now() - rank.since).count();
+  return waited > std::max(seconds, 4.0 * rank.tasks.front().predicted_seconds);
+}
+
+std::vector<TasksOut::Task> TasksOut::take_overdue(double seconds) {
+  std::vector<Task> overdue;
+  for (const Rank& rank : rank_) {
+    if (!overdue.empty()) break;
+    if (!is_overdue(rank, seconds)) continue;
+    for (const Task& task : rank.tasks)
+      if (twice_.emplace(task.row, false).second) overdue.push_back(task);
+  }
+  return overdue;
+}
+
+}  // namespace sigmasweep

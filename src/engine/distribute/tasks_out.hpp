@@ -1,0 +1,48 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace sigmasweep {
+
+/// The tasks that have been handed out and are not back yet, by rank. A rank answers its tasks in the order in which it
+/// got them. A task may be out twice, on two ranks: then the first answer counts.
+class TasksOut {
+ public:
+  struct Task {
+    std::uint64_t row = 0;
+    double predicted_seconds = 0.0;
+  };
+
+  explicit TasksOut(int ranks) : rank_(static_cast<std::size_t>(ranks)) {}
+
+  void hand_out(int rank, const Task& task);
+  std::size_t count(int rank) const { return rank_[static_cast<std::size_t>(rank)].tasks.size(); }
+  /// Takes off the first task of a rank, which has answered it. False if that was answered before, by another rank.
+  bool answered(int rank);
+  /// Whether there is an answer to each task.
+  bool all_are_back() const;
+  /// The first task of a rank to which there is no answer; nothing if the rank has none.
+  std::optional<std::uint64_t> first_missing(int rank) const;
+  /// All tasks of a rank that has not answered for longer than `seconds`, and than four times the predicted time of its
+  /// next task; each task once, and empty if there is no such rank. They are to be handed out a second time.
+  std::vector<Task> take_overdue(double seconds);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Rank {
+    std::deque<Task> tasks;
+    Clock::time_point since{};  ///< when the first of them was begun, at the earliest
+  };
+  bool is_missing(const Task& task) const;
+  static bool is_overdue(const Rank& rank, double seconds);
+
+  std::vector<Rank> rank_;
+  std::map<std::uint64_t, bool> twice_;  ///< by row, those that are or were out twice: whether there is an answer
+};
+
+}  // namespace sigmasweep

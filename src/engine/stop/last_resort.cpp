@@ -1,0 +1,99 @@
+#include "engine/stop/last_resort.hpp"
+
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <mutex>
+#include <utility>
+
+#include "base/exit_codes.hpp"
+#include "base/standard_error.hpp"
+#include "engine/stop/stop_signals.hpp"
+
+namespace sigmasweep {
+namespace {
+
+using Clock = LastResort::Clock;
+
+constexpr double patience = 33.0;  // s; the manager's is 30
+constexpr double between_ranks = 0.1;
+
+std::atomic<Clock::rep> stop_at = Clock::time_point::max().time_since_epoch().count();
+std::atomic<double> allowed = 0.0;
+std::mutex mutex;
+std::function<std::string()> last_words;
+
+bool is_told_to_stop() { return StopSignals::came() || Clock::now().time_since_epoch().count() >= stop_at; }
+
+std::string say_last_words() {
+  const std::lock_guard lock(mutex);
+  try {
+    return last_words ? last_words() : "other ranks do not answer";
+  } catch (...) {
+    return "other ranks do not answer";
+  }
+}
+
+/// Ends this process in ten seconds, whatever hangs meanwhile.
+void end_soon() {
+  std::thread([] {
+    std::this_thread::sleep_for(std::chrono::seconds(10));
+    std::_Exit(exit_code::stopped);
+  }).detach();
+}
+
+}  // namespace
+
+LastResort::LastResort(int rank) : rank_(rank), thread_([this](const std::stop_token& done) { watch(done); }) {}
+
+LastResort::~LastResort() {
+  thread_.request_stop();
+  thread_.join();
+  stop_at = Clock::time_point::max().time_since_epoch().count();
+  allowed = 0.0;
+  prepare_by({});
+}
+
+void LastResort::expect_stop_at(Clock::time_point moment) { stop_at = moment.time_since_epoch().count(); }
+
+void LastResort::allow(double seconds) { allowed = seconds; }
+
+void LastResort::prepare_by(std::function<std::string()> words) {
+  const std::lock_guard lock(mutex);
+  last_words = std::move(words);
+}
+
+void LastResort::end_all_ranks() {
+  end_soon();
+  int begun = 0, ended = 0;
+  if (MPI_Initialized(&begun) == MPI_SUCCESS && begun && MPI_Finalized(&ended) == MPI_SUCCESS && !ended)
+    MPI_Abort(MPI_COMM_WORLD, exit_code::stopped);
+  std::_Exit(exit_code::stopped);
+}
+
+void LastResort::watch(const std::stop_token& done) const {
+  const double mine = patience + between_ranks * std::min(rank_, 100);
+  AwakeTime since_stop;
+  while (!done.stop_requested()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    if (!is_told_to_stop() || since_stop.look() < mine + allowed) continue;
+    end_soon();
+    print_on_stderr(
+        fmt::format("sigmasweep: rank {}: the run does not end after it was told to stop: {}; it is given "
+                    "up. Everything done is kept, run it again to go on\n",
+                    rank_, say_last_words()));
+    end_all_ranks();
+  }
+}
+
+double AwakeTime::look() {
+  const auto now = Clock::now();
+  if (last_look_ != Clock::time_point{})
+    seconds_ += std::min(1.0, std::chrono::duration<double>(now - last_look_).count());
+  last_look_ = now;
+  return seconds_;
+}
+
+}  // namespace sigmasweep
