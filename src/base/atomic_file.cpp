@@ -2,27 +2,80 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <vector>
 
+#include "base/output_place.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {
+namespace {
 
-AtomicFile::AtomicFile(const std::string& path, const std::string& suffix)
-    : path_(path), part_(path + suffix), file_(part_, O_RDWR | O_CREAT | O_TRUNC) {
+/// Whether a file may be one that this program left: a plain file of this user with one name.
+bool is_leftover(const std::string& path) {
+  struct stat status {};
+  return ::lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1 &&
+         status.st_uid == ::geteuid();
+}
+
+/// Creates a file that was not there, or only as a leftover. On failure it is not open and errno says why.
+File create_new(const std::string& path) {
+  constexpr int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW;
+  File file(path, flags);
+  if (file.is_open() || errno != EEXIST) return file;
+  if (!is_leftover(path))
+    throw OutputError(fmt::format("cannot create {}: what has this name is not of an earlier run, remove it", path));
+  ::unlink(path.c_str());
+  return File(path, flags);
+}
+
+/// Whether the file of this name is the one that is open: another process may have replaced it.
+bool is_file(const std::string& path, int fd) {
+  struct stat named {
+  }, opened{};
+  return ::lstat(path.c_str(), &named) == 0 && ::fstat(fd, &opened) == 0 && named.st_dev == opened.st_dev &&
+         named.st_ino == opened.st_ino;
+}
+
+/// Writes all of a file to a stream. Returns 0, or the errno of a failure.
+int copy(int from, int to) {
+  std::vector<std::byte> buffer(std::size_t{1} << 16);
+  for (std::uint64_t offset = 0;;) {
+    const std::size_t got = read_at(from, buffer, offset, "a file in memory");
+    if (got == 0) return 0;
+    if (const int error = write_all(to, std::span(buffer).first(got)); error != 0) return error;
+    offset += got;
+  }
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const std::string& path, const std::string& suffix) : path_(path), stream_(open_stream(path)) {
+  if (stream_) {
+    file_ = File(::memfd_create("output", MFD_CLOEXEC));
+  } else {
+    path_ = linked_file(path);
+    part_ = path_ + suffix;
+    file_ = create_new(part_);
+  }
   if (!file_.is_open()) throw OutputError(fmt::format("cannot create {}: {}", path_, reason(errno)));
 }
 
 AtomicFile::~AtomicFile() {
-  if (!published_) ::unlink(part_.c_str());
+  if (published_ || stream_) return;
+  if (!file_.is_open() || is_file(part_, file_.fd())) ::unlink(part_.c_str());
 }
 
-int AtomicFile::sync() const { return ::fsync(file_.fd()) == 0 ? 0 : errno; }
+int AtomicFile::sync() const { return stream_ || ::fsync(file_.fd()) == 0 ? 0 : errno; }
 
 int AtomicFile::rename() {
+  if (stream_) return copy(file_.fd(), stream_->fd());
+  if (file_.is_open() && !is_file(part_, file_.fd())) return EBUSY;  // another process writes PATH, too
   if (std::rename(part_.c_str(), path_.c_str()) != 0) return errno;
   published_ = true;
   return 0;
@@ -37,9 +90,10 @@ void write_whole_file(const std::string& path, std::span<const std::byte> bytes)
   AtomicFile file(path);
   int error = write_at(file.fd(), bytes, 0);
   if (error == 0) error = file.sync();
-  if (error != 0) throw IoError(fmt::format("cannot write {}: {}", file.part(), reason(error)));
+  if (error != 0)
+    throw IoError(fmt::format("cannot write {}: {}", file.part().empty() ? path : file.part(), reason(error)));
   file.publish();
-  sync_directory_of(path);
+  if (!file.part().empty()) sync_directory_of(file.part());
 }
 
 }  // namespace sigmasweep

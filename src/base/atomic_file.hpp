@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -11,21 +12,26 @@ namespace sigmasweep {
 
 /// A new file PATH that is complete or not there: it is written as PATH.part and takes its name at the end. An older
 /// file PATH stays as it was until then. If it is not published, PATH.part is removed.
+///
+/// A symbolic link PATH stands for its target (output_place.hpp). Where PATH is a stream, the bytes are kept in memory
+/// and go to the stream at the end.
 class AtomicFile {
  public:
-  /// Creates PATH.part, empty. Throws OutputError.
+  /// Creates PATH.part, empty. A file of that name that an interrupted run left is removed first. Throws OutputError,
+  /// also where anything else has that name: it is never followed, opened or removed.
   explicit AtomicFile(const std::string& path, const std::string& suffix = ".part");
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
+  /// The file's name for now; empty for a stream.
   const std::string& part() const { return part_; }
   int fd() const { return file_.fd(); }
   /// Closes the descriptor, for a file that others write.
   void close() { file_.close(); }
   /// Brings the bytes to the disk. Returns 0, or the errno of a failure.
   int sync() const;
-  /// Renames PATH.part to PATH. Returns 0, or the errno of a failure.
+  /// Renames PATH.part to PATH, or writes the stream. Returns 0, or the errno of a failure.
   int rename();
   /// The same; throws OutputError.
   void publish();
@@ -34,6 +40,7 @@ class AtomicFile {
 
  private:
   std::string path_, part_;
+  std::optional<File> stream_;
   File file_;
   bool published_ = false;
 };

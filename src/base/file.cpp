@@ -44,6 +44,16 @@ int write_at(int fd, std::span<const std::byte> bytes, std::uint64_t offset) {
   return 0;
 }
 
+int write_all(int fd, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
 std::size_t read_at(int fd, std::span<std::byte> bytes, std::uint64_t offset, const std::string& path) {
   std::size_t done = 0;
   while (done < bytes.size()) {

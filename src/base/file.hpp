@@ -33,6 +33,9 @@ std::string reason(int error);
 /// Writes all of `bytes` at `offset`. Returns 0, or the errno of a failure; some bytes may then have been written.
 int write_at(int fd, std::span<const std::byte> bytes, std::uint64_t offset);
 
+/// Writes all of `bytes` where the descriptor stands, a stream's end. Returns 0, or the errno of a failure.
+int write_all(int fd, std::span<const std::byte> bytes);
+
 /// Reads up to bytes.size() bytes at `offset`, fewer only at the end of the file. Throws IoError naming `path`.
 std::size_t read_at(int fd, std::span<std::byte> bytes, std::uint64_t offset, const std::string& path);
 

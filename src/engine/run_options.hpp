@@ -24,7 +24,12 @@ struct RunOptions {
   std::span<const SpecSection> sections{};  ///< tables that the spec may have beside the sweep's own
 };
 
-/// The spec's name with .h5 for .toml, in the current directory.
+/// The spec's name with .h5 for .toml, in the current directory; other dots belong to the name.
 std::string default_table(const std::string& spec);
+/// Throws UsageError for a spec that has no name of its own to call the table after: a pipe, or "-" for standard input.
+void require_named_spec(const std::string& spec);
+
+/// The table's name with this ending for .h5 or .hdf5: that of its picture, say.
+std::string named_after(const std::string& table, const std::string& ending);
 
 }  // namespace sigmasweep

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 #include <pwd.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -22,8 +20,9 @@
 #include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/build_info.hpp"
+#include "store/hdf5/open.hpp"
+#include "store/hdf5/seal.hpp"
 #include "store/hdf5/tree.hpp"
-#include "store/table/types.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -214,7 +213,7 @@ void read_plane(hid_t beads, Trajectory& t, std::vector<hsize_t> extents) {
   split(position, dimension, t.x, t.z);
   split(get_array(beads, "velocity/value", extents), dimension, t.x_velocity, t.velocity);
   t.box_width = box_width(beads, extents.front(), dimension);
-  const Handle box(H5Gopen2(beads, "box", H5P_DEFAULT), H5Gclose, "it has no box");
+  const Handle box = open_group(beads, "box");
   const std::vector<std::string> boundary = get_texts(box, "boundary");
   if (boundary.size() != dimension) throw IoError("its box has not the dimensions of its positions");
   t.periodic = boundary[0] == "periodic";
@@ -245,6 +244,7 @@ void write_h5md(const std::string& path, const Tuple& tuple, const Trajectory& t
   std::vector<std::byte> image;
   try {
     image = image_of(tuple, trajectory);
+    seal(image);
   } catch (const IoError& error) {
     throw IoError(fmt::format("cannot make {}: {}", path, error.what()));
   }
@@ -252,13 +252,9 @@ void write_h5md(const std::string& path, const Tuple& tuple, const Trajectory& t
 }
 
 Trajectory read_h5md(const std::string& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0 && (errno == ENOENT || errno == ENOTDIR))
-    throw InputNotFound(fmt::format("there is no trajectory {}", path));
   const Hdf5Session session;
   try {
-    const Handle file = open_for_reading(path);
-    const Handle beads(H5Gopen2(file, "particles/beads", H5P_DEFAULT), H5Gclose, "it has no group particles/beads");
+    const Handle file = open_file(path, "trajectory"), beads = open_group(file, "particles/beads");
     Trajectory trajectory;
     std::vector<hsize_t> samples{0}, N{0};
     trajectory.time = get_array(beads, "position/time", samples);
@@ -279,11 +275,10 @@ Trajectory read_h5md(const std::string& path) {
 bool is_h5md_of(const std::string& path, const Parameters& parameters, std::size_t samples, double duration) {
   const Hdf5Session session;
   try {
-    const Handle file = open_for_reading(path);
-    const Handle group(H5Gopen2(file, "parameters", H5P_DEFAULT), H5Gclose, "it has no parameters");
+    const Handle file = open_file(path, "trajectory"), group = open_group(file, "parameters");
     const std::string key = get_text(group, "key"), wanted = key_of(parameters, samples, duration);
     return std::isnan(duration) ? key.substr(0, key.rfind('-')) == wanted.substr(0, wanted.rfind('-')) : key == wanted;
-  } catch (const IoError&) {
+  } catch (const Error&) {
     return false;
   }
 }

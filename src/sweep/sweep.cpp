@@ -1,7 +1,9 @@
 #include "sigmasweep/sweep/sweep.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -27,13 +29,21 @@ std::vector<Field> columns_of(const spec::Grid& grid) {
   return columns;
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
+std::string read_text(const std::string& path) {
+  std::ifstream stream(path == "-" ? "/dev/stdin" : path, std::ios::binary);
   std::string text(spec::max_text + 1, '\0');
   if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!stream && !stream.eof()) throw InputNotFound(fmt::format("{}: cannot be read as a sweep spec", path));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
+}
+
+/// What is no regular file, such as standard input, can be read once only, and a study loads its spec twice.
+std::string text_of(const std::string& path) {
+  if (path != "-" && std::filesystem::is_regular_file(path)) return read_text(path);
+  static std::map<std::string, std::string> known;
+  const auto found = known.find(path);
+  return found != known.end() ? found->second : known.emplace(path, read_text(path)).first->second;
 }
 
 }  // namespace
@@ -71,7 +81,9 @@ Sweep Sweep::parse(std::string_view text, const std::string& file, Sections sect
 
 Sweep Sweep::parse_stored(std::string_view text, const std::string& file) { return parse(text, file, {}, true); }
 
-Sweep Sweep::load(const std::string& path, Sections sections) { return parse(text_of(path), path, sections); }
+Sweep Sweep::load(const std::string& path, Sections sections) {
+  return parse(text_of(path), path == "-" ? "standard input" : path, sections);
+}
 
 const std::string& Sweep::title() const { return impl_->document.title; }
 const std::string& Sweep::text() const { return impl_->document.text; }

@@ -66,6 +66,8 @@ class DamagedTables(unittest.TestCase):
     def test_any_flipped_bit(self):
         for i in range(40):
             byte, bit = self.random.randrange(len(self.whole) - SEAL), self.random.randrange(8)
+            if byte in range(20, 24):
+                continue  # HDF5's note that the file is open for writing is not sealed
             with self.subTest(byte=byte, bit=bit):
                 self.check(flipped(self.whole, byte, bit), run=i == 0)
 

@@ -9,7 +9,8 @@ function(sigmasweep_process_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL;TIMEOUT" "")
   add_test(NAME ${name} COMMAND ${SIGMASWEEP_SYSTEM_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/${name}.py)
   set(environment ${SIGMASWEEP_MPI_ENVIRONMENT} SIGMASWEEP=$<TARGET_FILE:sigmasweep>
-    "MPIEXEC=${MPIEXEC_EXECUTABLE} --oversubscribe" FAILING_CALLS=$<TARGET_FILE:failing_calls>)
+    "MPIEXEC=${MPIEXEC_EXECUTABLE} --oversubscribe" FAILING_CALLS=$<TARGET_FILE:failing_calls>
+    NO_LOCKS=$<TARGET_FILE:no_locks>)
   set_tests_properties(${name} PROPERTIES LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT} COST ${arg_TIMEOUT}
     SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}")
 endfunction()

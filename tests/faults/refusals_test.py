@@ -41,7 +41,10 @@ class Refusals(unittest.TestCase):
         sweep = Sweep(QUICK)
         sweep.table.write_text("my thesis\n")
         for ranks in (0, 3):
-            self.check_refused(sweep, ranks, 73, "--fresh")
+            for options in ((), ("--fresh",)):
+                self.check_refused(sweep, ranks, 73, "not a whole sigmasweep table", *options)
+        sweep.table.write_bytes(b"")  # of mktemp
+        self.check_refused(sweep, 0, 73, "--fresh")
         self.assertEqual(sweep.run(2, "--fresh").code, 0)
         self.assertGreater(len(sweep.results()), 0)
 

@@ -109,8 +109,10 @@ class Slices(unittest.TestCase):
         merged = Sweep(QUICK)
         self.assertEqual(merge(merged, merged.path / "missing.h5").returncode, 66)
         merged.table.write_text("my thesis\n")
-        self.assertEqual(merge(merged, self.whole.table).returncode, 73)
-        self.assertEqual(merged.table.read_text(), "my thesis\n")
+        for options in ([], ["--fresh"]):
+            self.assertEqual(merge(merged, self.whole.table, options=options).returncode, 73)
+            self.assertEqual(merged.table.read_text(), "my thesis\n")
+        merged.table.write_bytes(b"")
         self.assertEqual(merge(merged, self.whole.table, options=["--fresh"]).returncode, 0)
         self.assertEqual(merged.results(), self.results)
 

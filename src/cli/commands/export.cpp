@@ -1,10 +1,14 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 
 #include "base/atomic_file.hpp"
+#include "base/output_place.hpp"
 #include "cli/command.hpp"
 #include "cli/read_sweep.hpp"
 #include "sigmasweep/base/errors.hpp"
@@ -34,22 +38,31 @@ void write(std::FILE* file, RowWriter& writer, const std::vector<Row>& rows) {
   put(writer.tail());
 }
 
+/// The same for a file or a stream that is open. Throws IoError.
+void write_to(const File& open, const std::string& path, RowWriter& writer, const std::vector<Row>& rows) {
+  std::FILE* file = ::fdopen(::dup(open.fd()), "wb");
+  if (file == nullptr) throw OutputError(fmt::format("cannot write {}: {}", path, reason(errno)));
+  write(file, writer, rows);
+  const bool written = std::fflush(file) == 0 && std::ferror(file) == 0;
+  if (std::fclose(file) != 0 || !written) throw IoError(fmt::format("cannot write {}", path));
+}
+
 int export_table(const ExportOptions& options) {
+  require_other_file(options.output, std::array{options.table, beside(options.table, ".journal")});
   const StoredSweep stored = read_sweep(options.table);
   std::vector<Field> columns = stored.table.columns;
   if (options.timings) columns.insert(columns.end(), timing_fields().begin(), timing_fields().end());
   const auto writer = chosen_format(options).writer(std::move(columns));
-  if (options.output.empty()) {
-    write(stdout, *writer, stored.table.rows);
-    return 0;
+  const auto& rows = stored.table.rows;
+  if (options.output.empty() || options.output == "-") {
+    write(stdout, *writer, rows);
+  } else if (const auto stream = open_stream(options.output)) {
+    write_to(*stream, options.output, *writer, rows);
+  } else {
+    AtomicFile output(options.output);
+    write_to(File(output.part(), O_WRONLY | O_NOFOLLOW), options.output, *writer, rows);
+    output.publish();
   }
-  AtomicFile output(options.output);
-  std::FILE* file = std::fopen(output.part().c_str(), "wb");
-  if (file == nullptr) throw OutputError(fmt::format("cannot create {}: {}", options.output, reason(errno)));
-  write(file, *writer, stored.table.rows);
-  const bool written = std::fflush(file) == 0 && std::ferror(file) == 0;
-  if (std::fclose(file) != 0 || !written) throw IoError(fmt::format("cannot write {}", options.output));
-  output.publish();
   return 0;
 }
 
@@ -58,7 +71,7 @@ void declare(OptionSet& set, ExportOptions& options) {
   for (const RowFormat& format : row_formats()) formats.emplace_back(format.name);
   const std::string names = fmt::format("{}", fmt::join(formats, "|"));
   set.add({"table", "A table that 'run' wrote, or will write", "TABLE.h5"}, options.table);
-  set.add({"-o,--output", "The file; default: standard output", "FILE." + names}, options.output);
+  set.add({"-o,--output", "The file, device or pipe; default and -: standard output", "FILE." + names}, options.output);
   set.add({"--format", fmt::format("Format of the rows; default: from the file's ending, else {}", formats.front()),
            names, formats},
           options.format);

@@ -15,6 +15,7 @@
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/stored/stored_sweep.hpp"
+#include "store/table/place.hpp"
 #include "store/table/table.hpp"
 
 namespace sigmasweep {
@@ -84,6 +85,7 @@ void require_all(const std::vector<Row>& rows, std::uint64_t slices) {
 
 /// Joins the tables of slices. Throws Error with exit code 65 if the parts do not fit together or rows are missing.
 int merge(const MergeOptions& options) {
+  require_place_for_table(options.output, options.parts);
   Table first = read_part(options.parts.front(), nullptr);
   const Sweep sweep = Sweep::parse_stored(first.info.spec_text, options.parts.front());
   TableInfo whole = first.info;

@@ -5,6 +5,7 @@
 
 #include "base/printable.hpp"
 #include "cli/command.hpp"
+#include "engine/report/duplicate_rows.hpp"
 #include "engine/report/unstable_rows.hpp"
 #include "sigmasweep/solve/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
@@ -103,8 +104,8 @@ void print_json(const Sweep& sweep, const Plan& plan, int ranks) {
 int plan(const PlanOptions& options) {
   const Sweep sweep = Sweep::load(options.spec, study_sections);
   const Plan result = plan_of(sweep, options.ranks);
-  if (const std::string warning = stability_warning(sweep); !warning.empty())
-    fmt::print(stderr, "sigmasweep: {}\n", warning);
+  for (const std::string& warning : {stability_warning(sweep), duplicate_warning(sweep)})
+    if (!warning.empty()) fmt::print(stderr, "sigmasweep: {}\n", warning);
   if (options.json)
     print_json(sweep, result, options.ranks);
   else

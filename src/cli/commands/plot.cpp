@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
+#include "base/output_place.hpp"
 #include "cli/command.hpp"
 #include "cli/plot_films.hpp"
 #include "cli/read_sweep.hpp"
+#include "engine/run_options.hpp"
 #include "plot/named.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/plot/plot.hpp"
@@ -69,9 +72,9 @@ void draw(const StoredSweep& stored, PlotSpec spec, const PlotOptions& options, 
 }
 
 int plot_table(const PlotOptions& options) {
-  const std::filesystem::path table(options.table);
-  const std::string main_file =
-      options.output.empty() ? table.filename().replace_extension(".svg").string() : options.output;
+  const std::string own_name = std::filesystem::path(options.table).filename().string();
+  const std::string main_file = options.output.empty() ? named_after(own_name, ".svg") : options.output;
+  require_other_file(main_file, std::array{options.table});
   if (is_precision_table(options.table)) {
     if (has_overrides(options)) throw UsageError("plot: a precision study has its own axes and series");
     draw_stored_precision(options.table, main_file, options.name);

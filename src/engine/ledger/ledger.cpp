@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/random.hpp"
@@ -61,10 +62,18 @@ Ledger::Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions
                const std::vector<Source>& others)
     : slice_(options.slice),
       retry_(options.retry),
-      journal_(table, identity_of(sweep, slice_), options.fresh,
-               options.extend ? [&](const auto& old) { return carry(sweep, old); } : Journal::Carry(), options.info),
+      journal_(
+          table, identity_of(sweep, slice_), options.fresh,
+          [&](const auto& old, const auto& theirs) -> std::optional<std::vector<Row>> {
+            if (!options.extend && !(theirs && has_same_tuples(sweep, slice_, *theirs))) return std::nullopt;
+            return carry(sweep, old);
+          },
+          options.info),
       rows_(slice_.size(sweep.size())),
       have_(rows_.size(), false) {
+  if (journal_.is_locked_by_file())
+    remarks_.push_back(
+        fmt::format("warning: this file system has no locks; {}.owner keeps other runs away instead", table));
   take_journal(sweep);
   const bool begun = journal_.is_there(), beside_a_table = !options.fresh && std::filesystem::exists(table);
   if (beside_a_table && begun && there_ == 0)

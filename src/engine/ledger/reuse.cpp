@@ -3,6 +3,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "sigmasweep/base/errors.hpp"
 #include "store/stored/stored_sweep.hpp"
 
 namespace sigmasweep {
@@ -24,6 +25,18 @@ std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const 
     rows.push_back(row);
   }
   return rows;
+}
+
+bool has_same_tuples(const Sweep& sweep, const Slice& slice, const TableInfo& theirs) {
+  try {
+    const Sweep old = Sweep::parse_stored(theirs.spec_text, "the journal's spec");
+    if (old.size() != sweep.size() || theirs.slice != slice) return false;
+    for (std::uint64_t k = 0; k < slice.size(sweep.size()); ++k)
+      if (content_key(old.at(slice.row(k))) != content_key(sweep.at(slice.row(k)))) return false;
+    return true;
+  } catch (const SpecError&) {  // of another version
+    return false;
+  }
 }
 
 ReusableRows reusable_rows(const std::string& path) {

@@ -11,6 +11,7 @@
 #include "engine/distribute/distribute.hpp"
 #include "engine/phases/give_up.hpp"
 #include "engine/phases/phase.hpp"
+#include "engine/report/duplicate_rows.hpp"
 #include "engine/report/progress.hpp"
 #include "engine/report/unstable_rows.hpp"
 #include "sigmasweep/solve/cost.hpp"
@@ -128,7 +129,8 @@ Computed compute_rows(const World& world, OpenSweep& open, RunNotes& notes, std:
   on_manager(world, [&] {
     const std::uint64_t missing = open.rows() - open.ledger->kept();
     announce(reporter, missing, world.size());
-    if (const std::string warning = stability_warning(open.sweep); !warning.empty()) reporter.say(warning);
+    for (const std::string& warning : {stability_warning(open.sweep), duplicate_warning(open.sweep)})
+      if (!warning.empty()) reporter.say(warning);
     schedule.emplace(schedule_of(*open.ledger, open.sweep, job.manager_computes ? world.size() : world.size() - 1));
     intake.emplace(*open.ledger, deadline ? &*deadline : nullptr,
                    Progress(missing, schedule->total_seconds(), reporter), notes);

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
 
 #include "engine/phases/phase.hpp"
 #include "engine/report/provenance.hpp"
 #include "engine/trajectories/trajectories.hpp"
+#include "store/table/place.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -34,8 +36,10 @@ OpenSweep open_sweep(const World& world, const RunOptions& options, const Report
   std::optional<Sweep> sweep;
   std::optional<Ledger> ledger;
   on_manager(world, [&] {
+    if (options.output.empty()) require_named_spec(options.spec);
     sweep = Sweep::load(options.spec, options.sections);
-    if (!options.fresh) require_own_trajectories(*sweep, table);
+    require_place_for_table(table, std::array{options.spec});
+    require_own_trajectories(*sweep, table, options.fresh);
     TableInfo info = table_info(*sweep, start, world.size());
     info.slice = options.slice;
     ledger.emplace(*sweep, table,

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <string_view>
 #include <system_error>
 
 #include "engine/trajectories/trajectory_files.hpp"
@@ -13,6 +15,7 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
 #include "store/h5md.hpp"
+#include "store/table/place.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -27,16 +30,39 @@ bool exists(const std::string& path) {
 [[noreturn]] void refuse(const std::string& path, std::uint64_t row) {
   throw OutputError(
       fmt::format("{}: is there already and is not the trajectory of row {} of this sweep; nothing was "
-                  "changed. Choose another output with -o, or --fresh to replace it",
+                  "changed. Choose another output with -o, or --fresh to replace it; --fresh leaves what is not of "
+                  "this program or behind a link",
                   path, row));
 }
 
-/// Removes trajectories, and unfinished ones that a killed run left.
+/// Whether this is the name of a row's file, or of one that a killed run left unfinished.
+bool is_file_of_a_row(std::string_view name) {
+  constexpr std::size_t least_digits = 6;
+  if (!name.starts_with("row-")) return false;
+  name.remove_prefix(4);
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+  const std::string_view ending = name.substr(digits);
+  return digits >= least_digits && (ending == ".h5" || ending == ".h5.part");
+}
+
+/// Whether a file is a trajectory of this program, or the beginning of one.
+bool may_be_removed(const fs::path& path) {
+  std::error_code error;
+  if (!is_file_of_a_row(path.filename().string()) || !fs::is_regular_file(fs::symlink_status(path, error)))
+    return false;
+  return path.extension() == ".part" || is_file_of_ours(path.string(), "sigmasweep");
+}
+
+bool is_own_directory(const std::string& directory) {
+  std::error_code error;
+  return fs::is_directory(fs::symlink_status(directory, error));
+}
+
 void remove_files(const std::string& directory) {
+  if (!is_own_directory(directory)) return;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(directory, error)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with("row-") || !(name.ends_with(".h5") || name.ends_with(".h5.part"))) continue;
+    if (!may_be_removed(entry.path())) continue;
     if (!fs::remove(entry.path(), error) && error)
       throw OutputError(fmt::format("cannot remove {}: {}", entry.path().string(), error.message()));
   }
@@ -85,14 +111,16 @@ void remove_trajectories(const Sweep& sweep, const std::string& table) {
   if (sweep.trajectory()) remove_files(trajectory_directory(table));
 }
 
-void require_own_trajectories(const Sweep& sweep, const std::string& table) {
+void require_own_trajectories(const Sweep& sweep, const std::string& table, bool fresh) {
   if (!sweep.trajectory()) return;
   const TrajectorySpec& spec = *sweep.trajectory();
-  if (!exists(trajectory_directory(table))) return;
+  const std::string directory = trajectory_directory(table);
+  if (!exists(directory)) return;
+  const bool removes = fresh && is_own_directory(directory);
   const double duration = spec.duration > 0.0 ? spec.duration : std::numeric_limits<double>::quiet_NaN();
   for (const std::uint64_t row : spec.rows)
     if (const std::string path = trajectory_file(table, row);
-        exists(path) && !is_h5md_of(path, sweep.at(row), spec.samples, duration))
+        exists(path) && !(removes && may_be_removed(path)) && !is_h5md_of(path, sweep.at(row), spec.samples, duration))
       refuse(path, row);
 }
 

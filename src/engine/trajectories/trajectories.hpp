@@ -12,9 +12,11 @@
 namespace sigmasweep {
 
 /// Throws OutputError for a file that is there already and is not a trajectory of this spec, as far as that is known
-/// before its row is computed: the user should hear of it before the run, not after. On the manager.
-void require_own_trajectories(const Sweep& sweep, const std::string& table);
+/// before its row is computed: the user should hear of it before the run, not after. A `fresh` run may have any
+/// trajectory there that remove_trajectories() removes. On the manager.
+void require_own_trajectories(const Sweep& sweep, const std::string& table, bool fresh);
 /// Removes the trajectories of an earlier run, for a run that starts again: a stop would leave a mixture otherwise.
+/// Files of other names or other programs stay, and so does everything behind a symbolic link.
 void remove_trajectories(const Sweep& sweep, const std::string& table);
 
 /// How many trajectories a run has recorded.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sigmasweep/base/errors.hpp"
+#include "store/hdf5/open.hpp"
 
 namespace sigmasweep::h5md {
 namespace {
@@ -133,19 +134,19 @@ void put_counts(hid_t group, const std::string& name, std::span<const std::int64
 
 std::vector<double> get_array(hid_t group, const std::string& name, std::vector<hsize_t>& extents) {
   const std::string what = "cannot read dataset " + name;
-  const Handle dataset(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, what);
+  const Handle dataset = open_dataset(group, name);
   const Handle type(H5Dget_type(dataset), H5Tclose, what), space(H5Dget_space(dataset), H5Sclose, what);
   std::vector<hsize_t> found(extents.size());
   bool right = H5Tget_class(type) == H5T_FLOAT && H5Sget_simple_extent_ndims(space) == static_cast<int>(extents.size());
   right = right && H5Sget_simple_extent_dims(space, found.data(), nullptr) >= 0;
   std::size_t count = 1;
+  constexpr hsize_t most = hsize_t{1} << 40;
   for (std::size_t i = 0; right && i < extents.size(); ++i) {
-    right = found[i] > 0 && (extents[i] == 0 || extents[i] == found[i]);
+    right = found[i] > 0 && found[i] <= most / count && (extents[i] == 0 || extents[i] == found[i]);
     count *= found[i];
   }
-  // The space on disk is compared as well, so that no memory is allocated for a false extent.
-  if (!right || H5Dget_storage_size(dataset) / H5Tget_size(type) != count)
-    throw IoError("dataset " + name + " is not of the type or size expected");
+  if (!right) throw IoError("dataset " + name + " is not of the type or size expected");
+  require_stored(dataset, count, H5Tget_size(type));
   extents = found;
   std::vector<double> values(count);
   check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/atomic_file.hpp"
+#include "base/output_place.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/journal/description.hpp"
 #include "store/journal/lock.hpp"
@@ -33,7 +34,7 @@ struct Journal::Impl {
   Impl(const std::string& table_path, const JournalIdentity& identity_, bool fresh, const Carry& carry,
        const TableInfo& info)
       : lock(table_path),
-        path(table_path + ".journal"),
+        path(beside(table_path, ".journal")),
         identity(identity_),
         description(description_of(info)),
         header(make_header(identity_, description)),
@@ -53,7 +54,7 @@ struct Journal::Impl {
   void open_existing(const Carry& carry);
   void create(const std::vector<Row>& rows);
   void recover(const JournalHeader& found);
-  void replace(const JournalHeader& old, const Carry& carry);
+  bool replace(const JournalHeader& old, const Carry& carry);
   std::uint64_t end() const { return first_record(header) + records * codec.size(); }
   [[noreturn]] void fail(const char* what, int error) const {
     throw IoError(fmt::format("cannot {} {}: {}", what, path, reason(error)));
@@ -76,8 +77,9 @@ struct Journal::Impl {
 };
 
 void Journal::Impl::open_existing(const Carry& carry) {
-  file = File(path, O_RDWR);
+  file = File(path, O_RDWR | O_NOFOLLOW | O_NONBLOCK);
   if (!file.is_open() && errno == ENOENT) return;
+  if (!file.is_open() && errno == ELOOP) require_plain(path);
   if (!file.is_open()) throw OutputError(fmt::format("cannot open {}: {}", path, reason(errno)));
   struct stat status {};
   if (::fstat(file.fd(), &status) != 0) fail("read", errno);
@@ -87,12 +89,12 @@ void Journal::Impl::open_existing(const Carry& carry) {
   const std::string why = why_unusable(found, size, identity);
   const bool same_but_for_the_sweep =
       why_unusable(found, size, {found.spec_hash, identity.physics_version, found.rows}).empty();
-  if (!why.empty() && carry && same_but_for_the_sweep) return replace(found, carry);
+  if (!why.empty() && carry && same_but_for_the_sweep && replace(found, carry)) return;
   if (!why.empty())
-    throw OutputError(
-        fmt::format("{} {}. Start the sweep again with --fresh, which replaces it, or choose another "
-                    "output with -o",
-                    path, why));
+    throw OutputError(fmt::format(
+        "{} {}. {}tart the sweep again with --fresh, which replaces it, or choose another "
+        "output with -o",
+        path, why, same_but_for_the_sweep ? "Go on with --extend, which keeps the rows that are the same, s" : "S"));
   recover(found);
   if (!read_description(file, path, found)) return create(recovered);  // damaged: the rows are not
   header = found;
@@ -100,15 +102,21 @@ void Journal::Impl::open_existing(const Carry& carry) {
   if (::ftruncate(file.fd(), static_cast<off_t>(end())) != 0) fail("cut the torn end of", errno);
 }
 
-void Journal::Impl::replace(const JournalHeader& old, const Carry& carry) {
+/// Returns false, and leaves everything as it was, where carry() refuses.
+bool Journal::Impl::replace(const JournalHeader& old, const Carry& carry) {
+  const auto text = read_description(file, path, old);
   recover(old);
-  recovered = carry(recovered);
+  auto taken = carry(recovered, text ? parse_description(*text) : std::nullopt);
+  if (!taken) return false;
+  recovered = *std::move(taken);
   dropped = 0;
   create(recovered);
+  return true;
 }
 
 /// Makes a journal that begins with these rows. It appears complete: a journal always has a whole header.
 void Journal::Impl::create(const std::vector<Row>& rows) {
+  require_plain(path);
   AtomicFile made(path);
   records = 0;
   int error = write_at(made.fd(), std::as_bytes(std::span(&header, 1)), 0);
@@ -142,6 +150,7 @@ Journal::~Journal() = default;
 Journal::Journal(Journal&&) noexcept = default;
 Journal& Journal::operator=(Journal&&) noexcept = default;
 
+bool Journal::is_locked_by_file() const { return impl_->lock.is_by_owner_file(); }
 bool Journal::is_there() const { return impl_->file.is_open(); }
 
 void Journal::begin(const std::vector<Row>& rows) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,16 +30,18 @@ class Journal {
   /// (from a kill or a full disk) is cut off, damaged records before it are passed over. If there is no journal,
   /// begin() or the first append() makes it.
   ///
-  /// With `carry` a journal of another spec, but of the same physics version and build, is not refused: carry() gets
-  /// its rows and returns the rows that this sweep takes over, with their place in it. A journal that begins with these
-  /// rows then replaces the old one; until then the old one is left as it is.
+  /// A journal of another spec, but of the same physics version and build, is offered to `carry`: it gets the journal's
+  /// rows, and what the journal says of its sweep if that can be read. carry() returns the rows that this sweep takes
+  /// over, with their place in it, or nothing to have the journal refused. A journal that begins with these rows then
+  /// replaces the old one; until then the old one is left as it is.
   ///
   /// Throws OutputError if another process holds the lock, if the file cannot be created, or if it is foreign or of
   /// another spec, physics version or number of rows; then the file is left as it is and the message says how to go on.
   /// Throws IoError if reading or writing fails.
   ///
   /// A journal that is made begins with `info`, for those who read it without the spec (read_journal()).
-  using Carry = std::function<std::vector<Row>(const std::vector<Row>& old)>;
+  using Carry = std::function<std::optional<std::vector<Row>>(const std::vector<Row>& old,
+                                                              const std::optional<TableInfo>& theirs)>;
   Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry = {},
           const TableInfo& info = {});
   /// Syncs if possible, without an error if not, and releases the lock.
@@ -46,6 +49,8 @@ class Journal {
   Journal(Journal&&) noexcept;
   Journal& operator=(Journal&&) noexcept;
 
+  /// Whether the file system has no locks, so that a file of another kind keeps other runs away.
+  bool is_locked_by_file() const;
   /// Whether there is a file. An empty journal belongs to a run that was begun.
   bool is_there() const;
   /// Makes a journal of these rows, or appends them to the journal that is there. Throws OutputError, IoError.

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 
+#include "base/output_place.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {
@@ -36,11 +37,16 @@ std::string holder(int fd) {
   return fmt::format("process {}", lock.l_pid);
 }
 
+/// What fcntl says where the file system has no locks: Lustre mounted without flock, NFS without its lock manager.
+bool has_no_locks(int error) {
+  return error == ENOSYS || error == ENOLCK || error == EOPNOTSUPP || error == EINVAL || error == ENOTSUP;
+}
+
 }  // namespace
 
-TableLock::TableLock(const std::string& table_path) : path_(table_path + ".lock") {
+TableLock::TableLock(const std::string& table_path) : path_(beside(table_path, ".lock")) {
   for (;;) {
-    file_ = File(path_, O_RDWR | O_CREAT);
+    file_ = File(path_, O_RDWR | O_CREAT | O_NOFOLLOW);
     if (!file_.is_open()) throw OutputError(fmt::format("cannot create {}: {}", path_, reason(errno)));
     struct flock lock = whole_file();
     if (::fcntl(file_.fd(), F_SETLK, &lock) == 0) {
@@ -48,6 +54,11 @@ TableLock::TableLock(const std::string& table_path) : path_(table_path + ".lock"
       continue;
     }
     if (errno == EINTR) continue;
+    if (has_no_locks(errno)) {
+      remove();
+      owner_ = std::make_unique<OwnerFile>(beside(table_path, ".owner"), table_path);
+      return;
+    }
     if (errno != EACCES && errno != EAGAIN) throw OutputError(fmt::format("cannot lock {}: {}", path_, reason(errno)));
     const std::string who = holder(file_.fd());
     if (!who.empty())
@@ -58,8 +69,14 @@ TableLock::TableLock(const std::string& table_path) : path_(table_path + ".lock"
   }
 }
 
-TableLock::~TableLock() {
-  if (file_.is_open()) ::unlink(path_.c_str());  // while it is still ours; a file left behind would do no harm
+TableLock::~TableLock() { remove(); }
+
+/// While it is still ours; a file left behind would do no harm. One that is not empty is somebody else's.
+void TableLock::remove() {
+  struct stat status {};
+  if (file_.is_open() && ::fstat(file_.fd(), &status) == 0 && status.st_size == 0 && same_file(file_.fd(), path_))
+    ::unlink(path_.c_str());
+  file_.close();
 }
 
 }  // namespace sigmasweep

@@ -1,14 +1,16 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "base/file.hpp"
+#include "store/journal/owner_file.hpp"
 
 namespace sigmasweep {
 
 /// The right to write TABLE.h5 and its journal: an exclusive fcntl lock on TABLE.h5.lock, held for the lifetime of the
 /// object. The system releases it when the process dies, however that happens. It excludes other processes, not other
-/// objects of the same process.
+/// objects of the same process. On a file system without locks TABLE.h5.owner takes its place (owner_file.hpp).
 class TableLock {
  public:
   /// Throws OutputError: held by another process (named by its id), or the lock file cannot be made.
@@ -16,10 +18,13 @@ class TableLock {
   ~TableLock();
   TableLock(const TableLock&) = delete;
   TableLock& operator=(const TableLock&) = delete;
+  bool is_by_owner_file() const { return owner_ != nullptr; }
 
  private:
+  void remove();
   std::string path_;
   File file_;
+  std::unique_ptr<OwnerFile> owner_;
 };
 
 }  // namespace sigmasweep

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/output_place.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/physics_version.hpp"
 #include "store/journal/description.hpp"
@@ -17,8 +18,8 @@
 namespace sigmasweep {
 
 std::optional<JournalledRows> read_journal(const std::string& table_path) {
-  const std::string path = table_path + ".journal";
-  const File file(path, O_RDONLY | O_NONBLOCK);  // a FIFO of that name must not hold us up
+  const std::string path = beside(table_path, ".journal");
+  const File file(path, O_RDONLY | O_NONBLOCK | O_NOFOLLOW);  // a FIFO of that name must not hold us up
   if (!file.is_open() && (errno == ENOENT || errno == ENOTDIR)) return std::nullopt;
   if (!file.is_open()) throw IoError(fmt::format("cannot open {}: {}", path, reason(errno)));
   struct stat status {};

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "base/atomic_file.hpp"
+#include "base/output_place.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::notes {
@@ -25,10 +26,10 @@ bool is_sound(const Header& header, std::uint64_t size) {
 
 }  // namespace
 
-std::string path_of(const std::string& table) { return table + ".running"; }
+std::string path_of(const std::string& table) { return beside(table, ".running"); }
 
 std::optional<Contents> read(const std::string& path) {
-  const File file(path, O_RDONLY | O_NONBLOCK);  // a FIFO of that name must not hold us up
+  const File file(path, O_RDONLY | O_NONBLOCK | O_NOFOLLOW);  // a FIFO of that name must not hold us up
   struct stat status {};
   if (!file.is_open() || ::fstat(file.fd(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   const auto fill = [&](auto& items, std::uint64_t offset) {
@@ -58,6 +59,7 @@ void write(const std::string& path, const Contents& contents) {
   std::memcpy(bytes.data(), &header, sizeof header);
   if (!suspicions.empty())
     std::memcpy(bytes.data() + bytes.size() - suspicions.size_bytes(), suspicions.data(), suspicions.size_bytes());
+  require_plain(path);
   AtomicFile file(path);
   int error = write_at(file.fd(), bytes, 0);
   if (error == 0) error = file.rename();

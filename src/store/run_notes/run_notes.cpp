@@ -90,7 +90,7 @@ double heartbeat_period(std::uint64_t ranks) { return std::clamp(static_cast<dou
 RunNotes::RunNotes(const std::string& table, const RunNotesIdentity& identity, int rank) {
   const std::string path = notes::path_of(table);
   const notes::Header header = wait_for_header(path, identity, rank);
-  file_ = File(path, O_RDWR);
+  file_ = File(path, O_RDWR | O_NOFOLLOW);
   if (!file_.is_open())
     throw OutputError(fmt::format("rank {} cannot write {}, which rank 0 has made: {}", rank, path, reason(errno)));
   map(header.page_size, rank);

@@ -20,6 +20,7 @@ namespace {
 StoredSweep with_sweep(StoredRows rows_of_it, const std::string& path) {
   StoredSweep stored{std::move(rows_of_it), std::nullopt};
   const TableInfo& info = stored.table.info;
+  if (stored.total == 0) throw IoError(fmt::format("{}: it has no rows", path));
   try {
     stored.sweep = Sweep::parse_stored(info.spec_text, path);
   } catch (const SpecError&) {  // of another version: the table itself is still good

@@ -8,6 +8,7 @@
 #include "sigmasweep/model/physics_version.hpp"
 #include "store/build_info.hpp"
 #include "store/hdf5/attributes.hpp"
+#include "store/hdf5/long_text.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/types.hpp"
 
@@ -38,8 +39,8 @@ void write_info(hid_t file, const char* format, std::uint64_t format_version, co
                 std::uint64_t rows) {
   write_text(file, "format", format);
   write_number(file, "format_version", format_version);
-  write_text(file, "title", info.title);
-  write_text(file, "spec", info.spec_text);
+  create_long_text(file, "title", info.title);
+  create_long_text(file, "spec", info.spec_text);
   write_text(file, "spec_hash", fmt::format("{:016x}", info.spec_hash));
   write_number(file, "physics_version", physics_version);
   write_number(file, "rows", rows);
@@ -57,6 +58,11 @@ void write_info(hid_t file, const char* format, std::uint64_t format_version, co
   write_number(file, "slice_count", info.slice.count);
 }
 
+void write_long_texts(hid_t file, const TableInfo& info) {
+  fill_long_text(file, "title", info.title);
+  fill_long_text(file, "spec", info.spec_text);
+}
+
 StoredInfo read_info(hid_t file) {
   if (H5Aexists(file, "format") <= 0 || read_text(file, "format") != table_format)
     throw IoError(fmt::format("its attribute format is not {}", table_format));
@@ -65,8 +71,8 @@ StoredInfo read_info(hid_t file) {
   StoredInfo stored;
   stored.rows = read_number(file, "rows");
   TableInfo& info = stored.info;
-  info.title = read_text(file, "title");
-  info.spec_text = read_text(file, "spec");
+  info.title = read_long_text(file, "title");
+  info.spec_text = read_long_text(file, "spec");
   info.spec_hash = parse_hexadecimal(read_text(file, "spec_hash"), "spec_hash");
   info.host = read_text(file, "host");
   info.start = read_text(file, "start");

@@ -13,9 +13,12 @@ namespace sigmasweep {
 /// Rank 0's info, on every rank: HDF5 wants collective metadata to be the same everywhere. Collective.
 TableInfo common_info(const RankGroup& group, TableInfo info);
 
-/// Writes the root attributes. Collective, with the common_info(); or for a file of one rank.
+/// Writes the root attributes. Collective, with the common_info(); or for a file of one rank. Texts that are too long
+/// for an attribute are datasets (long_text.hpp), and still empty.
 void write_info(hid_t file, const char* format, std::uint64_t format_version, const TableInfo& info,
                 std::uint64_t rows);
+/// Fills these datasets. On one rank.
+void write_long_texts(hid_t file, const TableInfo& info);
 
 struct StoredInfo {
   TableInfo info;

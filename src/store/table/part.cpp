@@ -8,6 +8,7 @@
 
 #include "base/file.hpp"
 #include "store/hdf5/attributes.hpp"
+#include "store/hdf5/open.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
 #include "store/table/packing.hpp"
@@ -127,7 +128,7 @@ Checksums checksums_in_dataset(hid_t file, const Section& section, std::uint64_t
 }  // namespace
 
 void reserve_space(const std::string& path, std::uint64_t bytes) {
-  const File file(path, O_WRONLY);
+  const File file(path, O_WRONLY | O_NOFOLLOW);
   int error = file.is_open() ? 0 : errno;
   while (error == 0 || error == EINTR) {
     error = ::posix_fallocate(file.fd(), 0, static_cast<off_t>(bytes));
@@ -160,6 +161,9 @@ std::vector<Checksums> write_part(const RankGroup& group, const std::string& pat
     check(H5Fget_filesize(file, &bytes), "cannot ask for the file's size");
     if (group.rank() == 0) reserve_space(path, bytes);
   });
+  group.run_collective([&] {  // not earlier: MPI-IO does not know the file's size any more once something was written
+    if (group.rank() == 0) write_long_texts(file, common);
+  });
   for (std::size_t i = 0; i < sections.size(); ++i) write_dataset(group, datasets[i], sections[i], block);
   group.run_collective([&] {
     for (Handle& dataset : datasets) dataset.close("cannot close a dataset");
@@ -171,7 +175,7 @@ std::vector<Checksums> write_part(const RankGroup& group, const std::string& pat
 
 std::vector<Checksums> checksums_in_part(const std::string& path, std::span<const Section> sections,
                                          std::uint64_t total_rows, std::uint64_t first, std::uint64_t rows) {
-  const Handle file = open_for_reading(path);
+  const Handle file = open_unsealed(path);
   if (read_info(file).rows != total_rows) throw IoError("the root attributes are not what was written");
   std::vector<Checksums> checksums;
   for (const Section& section : sections)

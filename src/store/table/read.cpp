@@ -1,18 +1,16 @@
 #include <fmt/format.h>
-#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <span>
 #include <string_view>
 
-#include "base/file.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/hdf5/handle.hpp"
+#include "store/hdf5/open.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
 #include "store/table/packing.hpp"
-#include "store/table/seal.hpp"
 #include "store/table/table.hpp"
 #include "store/table/types.hpp"
 
@@ -51,22 +49,28 @@ std::vector<Field> fields_in(hid_t type, const std::vector<Field>& known) {
   return fields;
 }
 
+/// A small file may have many rows that are packed well.
+void require_memory_for(std::uint64_t rows) {
+  const double memory = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
+  if (double(rows) * double(sizeof(Row)) > memory)
+    throw IoError(fmt::format("its {} rows do not fit into the memory of this machine", rows));
+}
+
 /// Reads the `known` members of a dataset of `total_rows` rows into `rows`. Returns the fields that the dataset has.
 std::vector<Field> read_rows(hid_t file, const std::string& name, const std::vector<Field>& known,
                              std::uint64_t total_rows, std::vector<Row>& rows) {
   const std::string what = "cannot read dataset " + name;
-  const Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, what);
+  const Handle dataset = open_dataset(file, name);
   const Handle stored(H5Dget_type(dataset), H5Tclose, what), space(H5Dget_space(dataset), H5Sclose, what);
-  // The space on disk is compared as well, so that no memory is allocated for a false extent.
-  const std::uint64_t in_file = H5Dget_storage_size(dataset), row_size = H5Tget_size(stored);
   if (H5Sget_simple_extent_ndims(space) != 1 ||
-      H5Sget_simple_extent_npoints(space) != static_cast<hssize_t>(total_rows) || row_size == 0 ||
-      in_file % row_size != 0 || in_file / row_size != total_rows)
+      H5Sget_simple_extent_npoints(space) != static_cast<hssize_t>(total_rows))
     throw IoError(fmt::format("dataset {} has not the {} rows that it should have", name, total_rows));
+  require_stored(dataset, total_rows, H5Tget_size(stored));
   std::vector<Field> fields = fields_in(stored, known);
   if (fields.empty()) throw IoError("dataset " + name + " has no member that is known");
   if (checksum_of_layout(stored) + checksum_of_stored_rows(dataset, 0, total_rows) != read_checksum(dataset))
     throw IoError(fmt::format("dataset {} is damaged: its rows do not have its checksum", name));
+  require_memory_for(total_rows);
   rows.resize(total_rows);
   const Handle type = packed_type(fields);
   const std::size_t size = packed_size(fields);
@@ -85,7 +89,7 @@ std::vector<Field> read_rows(hid_t file, const std::string& name, const std::vec
 }
 
 Table read_open_table(const std::string& path) {
-  const Handle file = open_for_reading(path);
+  const Handle file = open_file(path, "table");
   StoredInfo stored = read_info(file);
   Table table;
   table.info = std::move(stored.info);
@@ -102,12 +106,8 @@ Table read_open_table(const std::string& path) {
 }  // namespace
 
 Table read_table(const std::string& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0 && (errno == ENOENT || errno == ENOTDIR))
-    throw InputNotFound(fmt::format("there is no table {}", path));
   const Hdf5Session session;
   try {
-    check_seal(path);
     return read_open_table(path);
   } catch (const IoError& error) {
     throw IoError(fmt::format("{} is not a whole table of sigmasweep: {}", path, error.what()));

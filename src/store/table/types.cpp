@@ -54,11 +54,4 @@ std::string member_name(hid_t type, unsigned i) {
   return name;
 }
 
-Handle open_for_reading(const std::string& path) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a property list");
-  // No locks: a table never changes once it is there, and some shared file systems have none.
-  check(H5Pset_file_locking(access, false, true), "cannot switch off file locking");
-  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "cannot open"};
-}
-
 }  // namespace sigmasweep

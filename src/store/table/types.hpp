@@ -24,7 +24,4 @@ Handle packed_type(std::span<const Field> fields);
 /// The name of a member of a compound or an enumeration. Throws IoError.
 std::string member_name(hid_t type, unsigned i);
 
-/// Opens a file for reading on this rank alone.
-Handle open_for_reading(const std::string& path);
-
 }  // namespace sigmasweep

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,11 +10,12 @@
 #include <system_error>
 
 #include "base/atomic_file.hpp"
+#include "base/output_place.hpp"
 #include "mpi/rank_group.hpp"
 #include "store/hdf5/handle.hpp"
+#include "store/hdf5/seal.hpp"
 #include "store/table/packing.hpp"
 #include "store/table/part.hpp"
-#include "store/table/seal.hpp"
 #include "store/table/table.hpp"
 
 namespace sigmasweep {
@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* part_suffix = ".part";
 
-std::string part_of(const std::string& path) { return path + part_suffix; }
+std::string part_of(const std::string& path) { return beside(path, part_suffix); }
 
 /// Removes the files that Open MPI keeps beside a file while ranks have it open together. Ranks that are killed leave
 /// them behind.
@@ -46,9 +46,7 @@ void remove_mpi_files_of(const std::string& part) {
 /// Makes an empty file and finds out whether the disk has room for the table, before HDF5 is asked to do anything: with
 /// a full disk HDF5 over MPI-IO reports success all along. On rank 0.
 void prepare(const std::string& path, std::optional<AtomicFile>& file, std::uint64_t bytes) {
-  struct stat there {};
-  if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
-    throw OutputError(fmt::format("{} is there already and is no file", path));
+  require_file_place(path, "a table needs a file");
   remove_mpi_files_of(part_of(path));
   file.emplace(path, part_suffix);
   file->close();
@@ -58,7 +56,7 @@ void prepare(const std::string& path, std::optional<AtomicFile>& file, std::uint
 /// Throws OutputError if this rank cannot open the file that rank 0 created: the file systems of the ranks may differ,
 /// and a rank that fails later would leave the others waiting for it.
 void see_same_file(const std::string& part, int rank) {
-  if (!File(part, O_RDWR).is_open())
+  if (!File(part, O_RDWR | O_NOFOLLOW).is_open())
     throw OutputError(
         fmt::format("rank {} cannot open {}, which rank 0 created: {}. All ranks need the same file "
                     "system",
@@ -94,11 +92,11 @@ void read_back(const RankGroup& group, const std::string& part, std::span<const 
   });
 }
 
-/// Makes PATH the complete table. From here on it stays, whatever happens.
-void publish(AtomicFile& file, const std::string& path) {
+/// Makes the file the complete table. From here on it stays, whatever happens.
+void publish(AtomicFile& file) {
   seal(file.part());
   file.publish();
-  sync_directory_of(path);
+  sync_directory_of(file.part());
 }
 
 void write_collective(const RankGroup& group, const std::string& path, const TableInfo& info,
@@ -115,7 +113,7 @@ void write_collective(const RankGroup& group, const std::string& path, const Tab
   const auto checksums = write_part(group, part, info, sections, total_rows, block);
   read_back(group, part, sections, total_rows, block, checksums);
   group.run_collective([&] {
-    if (group.rank() == 0) publish(*file, path);
+    if (group.rank() == 0) publish(*file);
   });
 }
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -22,6 +22,7 @@
 #include "mpi/on_root.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "store/table/place.hpp"
 #include "studies/precision/measure.hpp"
 #include "studies/precision/pictures.hpp"
 #include "studies/precision/table.hpp"
@@ -136,8 +137,11 @@ std::vector<Field> parameters_of(const Sweep& sweep) {
 int precision_study(World& world, const PrecisionOptions& options) {
   const std::string start = utc_now();
   std::optional<Sweep> sweep;
+  const std::string table = options.output.empty() ? default_table(options.spec) : options.output;
   const int loaded = run_on_root(world, [&] {
     sweep = with_precision(Sweep::load(options.spec, study_sections), options.spec);
+    if (options.output.empty()) require_named_spec(options.spec);
+    require_place_for_table(table, std::array{options.spec}, precision_format);
     return success;
   });
   if (loaded != success) return loaded;
@@ -146,7 +150,6 @@ int precision_study(World& world, const PrecisionOptions& options) {
   const PrecisionSpec study = study_of(*sweep, options);
   bool complete = false;
   const auto rows = measure(world, *sweep, study, options.quiet, complete);
-  const std::string table = options.output.empty() ? default_table(options.spec) : options.output;
   return run_on_root(world, [&] {
     if (!complete) {
       print_on_stderr("sigmasweep: stopped before all scenes were measured; nothing is written\n");
@@ -159,8 +162,7 @@ int precision_study(World& world, const PrecisionOptions& options) {
     write_precision_table(table, table_info(*sweep, start, world.size()), parameters_of(*sweep), rows);
     print_on_stderr(table + "\n");
     for (const char* form : {".svg", ".png"})
-      if (options.plots)
-        draw_precision(*sweep, rows, std::filesystem::path(table).replace_extension(form).string(), "", stderr);
+      if (options.plots) draw_precision(*sweep, rows, named_after(table, form), "", stderr);
     return success;
   });
 }

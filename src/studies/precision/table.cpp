@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 #include <vector>
 
 #include "base/atomic_file.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/hdf5/attributes.hpp"
 #include "store/hdf5/handle.hpp"
+#include "store/hdf5/long_text.hpp"
+#include "store/hdf5/open.hpp"
+#include "store/hdf5/seal.hpp"
 #include "store/hdf5/tree.hpp"
+#include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
 #include "store/table/packing.hpp"
 #include "store/table/types.hpp"
@@ -19,7 +22,6 @@
 namespace sigmasweep {
 namespace {
 
-constexpr const char* format = "sigmasweep-precision";
 constexpr std::uint64_t format_version = 1;
 constexpr std::size_t number_size = 8;  // of a PrecisionField
 
@@ -65,7 +67,9 @@ void put_rows(hid_t file, std::span<const Field> parameters, std::span<const Pre
   const hsize_t count = rows.size();
   const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, what);
   Handle dataset(H5Dcreate2(file, "precision", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, what);
-  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed(parameters, rows).data()), what);
+  const std::vector<std::byte> bytes = packed(parameters, rows);
+  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), what);
+  write_checksum(dataset, checksum_of_layout(type) + checksum_of_rows(bytes, row_size(parameters), 0));
   const auto describe = [&](std::string_view name, std::string_view unit, std::string_view meaning) {
     write_text(dataset, fmt::format("unit:{}", name), std::string(unit));
     write_text(dataset, fmt::format("meaning:{}", name), std::string(meaning));
@@ -75,15 +79,23 @@ void put_rows(hid_t file, std::span<const Field> parameters, std::span<const Pre
   dataset.close(what);
 }
 
+/// Earlier versions of the program wrote no checksum.
+void require_checksum(hid_t dataset, hid_t stored, std::uint64_t count) {
+  if (check(H5Aexists(dataset, "checksum"), "cannot look for the checksum") == 0) return;
+  if (checksum_of_layout(stored) + checksum_of_stored_rows(dataset, 0, count) != read_checksum(dataset))
+    throw IoError("dataset precision is damaged: its rows do not have its checksum");
+}
+
 /// HDF5 finds the members by name.
 std::vector<PrecisionRow> get_rows(hid_t file) {
   const char* const what = "cannot read dataset precision";
   const std::vector<Field> parameters{*find_field("integrator")};
-  const Handle type = row_type(parameters), dataset(H5Dopen2(file, "precision", H5P_DEFAULT), H5Dclose, what);
+  const Handle type = row_type(parameters), dataset = open_dataset(file, "precision");
   const Handle stored(H5Dget_type(dataset), H5Tclose, what), space(H5Dget_space(dataset), H5Sclose, what);
   const auto count = static_cast<std::uint64_t>(check(H5Sget_simple_extent_npoints(space), what));
-  if (const std::uint64_t size = H5Tget_size(stored); size == 0 || H5Dget_storage_size(dataset) / size != count)
-    throw IoError("dataset precision has not the rows that it should have");
+  if (H5Sget_simple_extent_ndims(space) != 1 || count == 0) throw IoError("it has no rows");
+  require_stored(dataset, count, H5Tget_size(stored));
+  require_checksum(dataset, stored, count);
   std::vector<std::byte> bytes(count * row_size(parameters));
   check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), what);
   std::vector<PrecisionRow> rows(count);
@@ -106,18 +118,17 @@ std::vector<PrecisionRow> get_rows(hid_t file) {
 bool is_precision_table(const std::string& path) {
   const Hdf5Session session;
   try {
-    return read_text(open_for_reading(path), "format") == format;
-  } catch (const IoError&) {
+    return read_text(open_file(path, "table"), "format") == precision_format;
+  } catch (const Error&) {
     return false;
   }
 }
 
 PrecisionTable read_precision_table(const std::string& path) {
-  if (!std::filesystem::exists(path)) throw InputNotFound(fmt::format("there is no table {}", path));
   const Hdf5Session session;
   try {
-    const Handle file = open_for_reading(path);
-    return {read_text(file, "spec"), get_rows(file)};
+    const Handle file = open_file(path, "table");
+    return {read_long_text(file, "spec"), get_rows(file)};
   } catch (const IoError& error) {
     throw IoError(fmt::format("{} is not a precision study of sigmasweep: {}", path, error.what()));
   }
@@ -130,9 +141,12 @@ void write_precision_table(const std::string& path, const TableInfo& info, std::
   if (std::ranges::find(columns, "integrator", &Field::name) == columns.end())
     columns.push_back(*find_field("integrator"));
   const Handle file = h5md::new_file();
-  write_info(file, format, format_version, info, rows.size());
+  write_info(file, precision_format, format_version, info, rows.size());
+  write_long_texts(file, info);
   put_rows(file, columns, rows);
-  write_whole_file(path, h5md::image_of(file));
+  std::vector<std::byte> image = h5md::image_of(file);
+  seal(image);
+  write_whole_file(path, image);
 }
 
 }  // namespace sigmasweep

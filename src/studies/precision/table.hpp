@@ -10,9 +10,12 @@
 
 namespace sigmasweep {
 
+inline constexpr const char* precision_format = "sigmasweep-precision";
+
 /// Writes a precision study: a compound dataset /precision, one row for each scene and setting, with these parameters,
 /// the integrator and precision_fields(); units and meanings as its attributes unit:X and meaning:X; root attributes as
-/// those of a table. PATH is complete or as it was before. Throws OutputError or IoError.
+/// those of a table, and a checksum and a seal like a table's. PATH is complete or as it was before. Throws OutputError
+/// or IoError.
 void write_precision_table(const std::string& path, const TableInfo& info, std::span<const Field> parameters,
                            std::span<const PrecisionRow> rows);
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "base/exit_codes.hpp"
 #include "base/standard_error.hpp"
@@ -52,7 +51,7 @@ int stability_study(World& world, const StabilityOptions& options) {
     fmt::print("{}", stability_text(rows, map, stored.sweep->axes()));
     for (const char* form : {".svg", ".png"}) {
       if (!options.plots) break;
-      const std::string picture = std::filesystem::path(table).replace_extension(form).string();
+      const std::string picture = named_after(table, form);
       plot_stability(rows, map, stored.sweep->axes(), stored.table.info.title, picture);
       print_on_stderr(picture + "\n");
     }
