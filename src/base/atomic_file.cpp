@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "base/output_place.hpp"
+#include "base/output/place.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {

@@ -13,7 +13,7 @@ namespace sigmasweep {
 /// A new file PATH that is complete or not there: it is written as PATH.part and takes its name at the end. An older
 /// file PATH stays as it was until then. If it is not published, PATH.part is removed.
 ///
-/// A symbolic link PATH stands for its target (output_place.hpp). Where PATH is a stream, the bytes are kept in memory
+/// A symbolic link PATH stands for its target (output/place.hpp). Where PATH is a stream, the bytes are kept in memory
 /// and go to the stream at the end.
 class AtomicFile {
  public:

@@ -13,7 +13,10 @@
 #include "cli/launcher.hpp"
 #include "engine/stop/last_resort.hpp"
 #include "engine/stop/stop_signals.hpp"
+#include "mpi/rank_group.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/row.hpp"
+#include "store/build_info.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -32,6 +35,16 @@ void end_soon(int exit_code) {
   }).detach();
 }
 
+/// Why the ranks cannot work together: they send each other values as bytes, and their last digits are to be the same.
+/// The first collective operation of a run. Empty where all ranks are the same build.
+std::string why_other_builds(const World& world) {
+  const std::string mine = fmt::format("{}\n{}\n{}", build_name(), build_info().git_revision, sizeof(Row));
+  const bool is_same = world.broadcast(mine) == mine;
+  const std::uint64_t other = RankGroup(world.comm()).max(is_same ? 0 : static_cast<std::uint64_t>(world.rank()));
+  if (other == 0) return {};
+  return fmt::format("rank {} runs another build of the program than rank 0: all ranks need the same", other);
+}
+
 }  // namespace
 
 int on_all_ranks(int& argc, char**& argv, const std::function<int(World&)>& command) {
@@ -39,6 +52,10 @@ int on_all_ranks(int& argc, char**& argv, const std::function<int(World&)>& comm
   const LastResort last_resort(launched_rank());
   World world(argc, argv);
   if (const std::string why = why_wrong_launcher(world.size()); !why.empty()) {
+    complain(why, Speaker::rank_0);
+    return exit_code::usage_error;
+  }
+  if (const std::string why = why_other_builds(world); !why.empty()) {
     complain(why, Speaker::rank_0);
     return exit_code::usage_error;
   }

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.hpp"
-#include "base/output_place.hpp"
+#include "base/output/place.hpp"
 #include "cli/command.hpp"
 #include "cli/read_sweep.hpp"
 #include "sigmasweep/base/errors.hpp"

@@ -3,7 +3,7 @@
 #include <array>
 #include <filesystem>
 
-#include "base/output_place.hpp"
+#include "base/output/place.hpp"
 #include "cli/command.hpp"
 #include "cli/plot_films.hpp"
 #include "cli/read_sweep.hpp"

@@ -70,7 +70,10 @@ bool Manager::look_at_own_worker(std::chrono::microseconds wait) {
 }
 
 void Manager::take(int rank, const wire::Bytes& answers) {
-  job_.finished(answers, [&] { return out_.answered(rank); });
+  job_.finished(answers, [&] {
+    if (out_.count(rank) == 0) throw wire::BadMessage();  // an answer to no task
+    return out_.answered(rank);
+  });
 }
 
 void Manager::mark_gone(int rank) {

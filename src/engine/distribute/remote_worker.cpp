@@ -31,8 +31,10 @@ class RemoteConnection : public ManagerConnection {
       Bytes tasks = message::receive(manager_, *message);
       if (message->tag() == message::quit)
         quit_ = true;
-      else
+      else if (message->tag() == message::chunk && !tasks.empty())
         chunks_.push_back(std::move(tasks));
+      else
+        throw wire::BadMessage();
     }
     if (!quit_ && !asked_to_stop_ && job_.stop()) {
       asked_to_stop_ = true;

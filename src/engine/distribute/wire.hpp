@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -28,11 +29,17 @@ void append(Bytes& bytes, const std::vector<T>& values) {
   for (const T& value : values) append(bytes, value);
 }
 
-/// Reads from the front of `bytes` what append() wrote, and takes it off.
+/// A message is not of the form that the receiver knows: its sender is another program.
+struct BadMessage : std::runtime_error {
+  BadMessage() : std::runtime_error("a message between ranks is not of the form expected: is it the same program?") {}
+};
+
+/// Reads from the front of `bytes` what append() wrote, and takes it off. Throws BadMessage if there are too few bytes.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 void take(std::span<const std::byte>& bytes, T& value) {
-  std::memcpy(&value, bytes.first(sizeof value).data(), sizeof value);
+  if (bytes.size() < sizeof value) throw BadMessage();
+  std::memcpy(&value, bytes.data(), sizeof value);
   bytes = bytes.subspan(sizeof value);
 }
 
@@ -40,6 +47,7 @@ template <class T>
 void take(std::span<const std::byte>& bytes, std::vector<T>& values) {
   std::uint64_t count = 0;
   take(bytes, count);
+  if (count > bytes.size() / sizeof(T)) throw BadMessage();
   values.resize(count);
   for (T& value : values) take(bytes, value);
 }

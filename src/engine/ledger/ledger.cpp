@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "base/random.hpp"
@@ -175,6 +176,9 @@ std::vector<std::uint64_t> Ledger::missing() const {
 }
 
 void Ledger::enter(Row row) {
+  const auto place = slice_.place(row.index);
+  if (!place || *place >= rows_.size())
+    throw std::runtime_error(fmt::format("a rank answered with row {}, which is not of this sweep", row.index));
   const auto tried = attempts_.find(row.index);
   row.timing.attempt = tried == attempts_.end() ? 1 : tried->second + 1;
   journal_.append(row);

@@ -48,7 +48,8 @@ class Ledger {
   bool is_complete() const { return there_ == rows_.size(); }
   const std::vector<Row>& rows() const { return rows_; }  ///< of the slice, in spec order; status not_run where missing
 
-  /// Enters a row that came in: into the journal, then into rows(). Throws IoError.
+  /// Enters a row that came in: into the journal, then into rows(). Throws IoError, and std::runtime_error for a row of
+  /// another sweep.
   void enter(Row row);
   bool has(std::uint64_t row) const;
   /// Enters a row that is not to be computed, as Status::quarantined. Throws IoError.

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/output_place.hpp"
+#include "base/output/place.hpp"
 #include "engine/run_options.hpp"
 
 namespace sigmasweep {

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "base/atomic_file.hpp"
-#include "base/output_place.hpp"
+#include "base/output/place.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/journal/description.hpp"
 #include "store/journal/lock.hpp"

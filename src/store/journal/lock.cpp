@@ -7,7 +7,7 @@
 
 #include <cerrno>
 
-#include "base/output_place.hpp"
+#include "base/output/place.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep {

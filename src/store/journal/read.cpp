@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/file.hpp"
-#include "base/output_place.hpp"
+#include "base/output/place.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/physics_version.hpp"
 #include "store/journal/description.hpp"

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "base/atomic_file.hpp"
-#include "base/output_place.hpp"
+#include "base/output/place.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::notes {

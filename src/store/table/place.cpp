@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "base/file.hpp"
-#include "base/output_place.hpp"
+#include "base/output/place.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/hdf5/seal.hpp"
 

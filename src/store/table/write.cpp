@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "base/atomic_file.hpp"
-#include "base/output_place.hpp"
+#include "base/output/place.hpp"
 #include "mpi/rank_group.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/hdf5/seal.hpp"

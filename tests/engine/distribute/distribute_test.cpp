@@ -322,6 +322,23 @@ TEST(Distribute, AnswersMayBeVectors) {
   }
 }
 
+TEST(Wire, RefusesMessagesThatAreTooShortForWhatTheySay) {
+  wire::Bytes message;
+  wire::append(message, std::vector<double>{1.0, 2.0});
+  std::vector<double> values;
+  for (std::size_t size = 0; size < message.size(); ++size) {
+    auto cut = std::span<const std::byte>(message).first(size);
+    EXPECT_THROW(wire::take(cut, values), wire::BadMessage) << size;
+  }
+  std::span<const std::byte> whole(message);
+  wire::take(whole, values);
+  EXPECT_EQ(values, (std::vector<double>{1.0, 2.0}));
+  wire::Bytes huge;
+  wire::append(huge, ~std::uint64_t{0});  // a count that no memory could hold
+  std::span<const std::byte> rest(huge);
+  EXPECT_THROW(wire::take(rest, values), wire::BadMessage);
+}
+
 TEST(World, BroadcastsTextAndNumbers) {
   const std::string text("text\0with zero, \n\xff", 19), empty;
   EXPECT_EQ(world().broadcast(world().is_manager() ? text : "other"), text);
