@@ -188,7 +188,8 @@ def wait_until_gone(processes):
 
 
 def wait_until_caught(process, ranks, number):
-    """Until the process (ranks = 0), or each of its ranks, handles the signal."""
+    """Waits until the process (ranks = 0), or each of its ranks, handles the signal. A child of mpirun that is not yet the
+    program has mpirun's handlers."""
     end = time.monotonic() + LIMIT
     while process.poll() is None and time.monotonic() < end:
         pids = ranks_of(process) if ranks else [process.pid]
@@ -200,6 +201,8 @@ def wait_until_caught(process, ranks, number):
 
 def catches(pid, number):
     try:
+        if os.readlink(f"/proc/{pid}/exe") != os.path.realpath(PROGRAM):
+            return False
         status = pathlib.Path(f"/proc/{pid}/status").read_text()
     except OSError:
         return False

@@ -109,7 +109,7 @@ class Slurm(unittest.TestCase):
         self.assertEqual(job.wait(), {"FAILED"}, job)
         self.assertEqual([facts["ExitCode"] for facts in job.facts()], ["75:0"], job)
         self.assertIn("the time limit is too short", job.output.read_text())
-        self.assertIn("would not end in time", job.output.read_text())
+        self.assertIn("it needs a longer time limit", job.output.read_text())
 
     def test_cancelled(self):
         sweep = Sweep(SLOW)

@@ -5,6 +5,7 @@
 
 #include "base/duration.hpp"
 #include "cli/command.hpp"
+#include "engine/stop/last_resort.hpp"
 #include "studies/sections.hpp"
 
 namespace sigmasweep {
@@ -34,6 +35,7 @@ void declare(OptionSet& set, RunOptions& options) {
   set.add_flag("--json", "The summary as one JSON document on standard output; times in seconds", options.json);
   const auto take_time = [&options](const std::string& typed) {
     options.max_seconds = parse_duration(typed);
+    if (options.max_seconds) LastResort::expect_stop_in(*options.max_seconds);  // MPI may not even begin
     return options.max_seconds.has_value();
   };
   set.add({"--max-time", "Stop on purpose (exit code 75) within this time: seconds or [D-]HH:MM:SS", "T"}, take_time);

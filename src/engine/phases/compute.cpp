@@ -112,7 +112,7 @@ Job<SweepTask, Row> sweep_job(const World& world, const Sweep& sweep, RunNotes& 
 /// Why a run ends without all rows, as part of a sentence; empty if it was told to stop.
 std::string why_stopped(const StopRequest& stop, const Computed& computed) {
   if (!stop.made()) return ", the others would not end in time";
-  if (StopRequest::Clock::now() < stop.end() || computed.work.rows > 0 || computed.wall_seconds < 1.0) return {};
+  if (StopRequest::Clock::now() < stop.end() || computed.work.rows > 0 || computed.wall_seconds < 0.1) return {};
   return fmt::format(", none of which within the {} there were: it needs a longer time limit",
                      readable_duration(computed.wall_seconds));
 }

@@ -37,7 +37,7 @@ std::optional<Deadline> limit_time(const World& world, const OpenSweep& open, st
   seconds = world.broadcast(seconds);
   if (!std::isfinite(seconds)) return std::nullopt;
   stop.end_in(seconds);
-  LastResort::expect_stop_at(stop.end());
+  LastResort::expect_stop_in(seconds);
   const double crowding = world.crowding();
   if (!world.is_manager()) return std::nullopt;
   Deadline deadline(stop.end(), crowding);

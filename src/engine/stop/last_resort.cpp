@@ -56,7 +56,11 @@ LastResort::~LastResort() {
   prepare_by({});
 }
 
-void LastResort::expect_stop_at(Clock::time_point moment) { stop_at = moment.time_since_epoch().count(); }
+void LastResort::expect_stop_in(double seconds) {
+  constexpr double century = 3e9;
+  const std::chrono::duration<double> in(std::min(seconds, century));
+  stop_at = (Clock::now() + std::chrono::duration_cast<Clock::duration>(in)).time_since_epoch().count();
+}
 
 void LastResort::allow(double seconds) { allowed = seconds; }
 

@@ -25,8 +25,8 @@ class LastResort {
   LastResort(const LastResort&) = delete;
   LastResort& operator=(const LastResort&) = delete;
 
-  /// The process is told to stop at this moment, whether or not a signal comes.
-  static void expect_stop_at(Clock::time_point moment);
+  /// The process is to stop in so many seconds, whether or not a signal comes. May be called before there is an object.
+  static void expect_stop_in(double seconds);
   /// Gives the process so much time more, s: for work that is finished even after a stop.
   static void allow(double seconds);
   /// What is to be done before the end: saves what can be saved, and says in words which ranks are silent.
