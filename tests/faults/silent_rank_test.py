@@ -97,8 +97,8 @@ class SilentRank(unittest.TestCase):
                 self.assertEqual(ended.code, 75, ended)
                 self.assertGreater(time.monotonic() - start, 25)
                 self.assertLess(time.monotonic() - start, WITHIN)
-                row = f", with row {LONG_ROW}" if victim == busy else ""
-                self.assertRegex(ended.err, rf"rank {victim} on \S+{row}, does not answer")
+                row = rf" \(row {LONG_ROW}\)" if victim == busy else ""
+                self.assertRegex(ended.err, rf"rank {victim} on \S+{row} does not answer")
                 self.assertEqual(len(re.findall("given up", ended.err)), 1, ended)
 
     def test_an_overdue_row_is_computed_by_another_rank(self):
@@ -112,7 +112,7 @@ class SilentRank(unittest.TestCase):
         self.assertEqual(ended.code, 75, ended)
         if busy != 0:
             self.assertEqual(set(sweep.journalled()), set(range(4)), ended)
-            self.assertRegex(ended.err, rf"rank {busy} on \S+, does not answer")
+            self.assertRegex(ended.err, rf"rank {busy} on \S+ does not answer")
             self.assertIn("4 of 4 rows done", ended.err)
         ended = sweep.run(2)
         self.assertEqual(ended.code, 0, ended)

@@ -15,8 +15,7 @@ namespace sigmasweep {
 namespace {
 
 std::string in_words(int rank, const std::string& host, std::optional<std::uint64_t> row) {
-  return fmt::format("rank {}{}{}", rank, host.empty() ? "" : " on " + host,
-                     row ? fmt::format(", with row {}", *row) : "");
+  return fmt::format("rank {}{}{}", rank, host.empty() ? "" : " on " + host, row ? fmt::format(" (row {})", *row) : "");
 }
 
 std::optional<RunState> state_of(const std::string& table) noexcept {
@@ -39,7 +38,7 @@ void give_up(const std::vector<SilentRank>& silent, OpenSweep& open, const Repor
   for (const auto& [rank, task] : silent) {
     const auto place = static_cast<std::size_t>(rank);
     const std::string host = state && place < state->ranks.size() ? state->ranks[place].host : "";
-    reporter.warn(fmt::format("{}, does not answer any more and is given up", in_words(rank, host, task)));
+    reporter.warn(fmt::format("{} does not answer any more and is given up", in_words(rank, host, task)));
   }
   reporter.warn(fmt::format("stopped with {} of {} rows done; {} to go on", open.ledger->there(), open.rows(),
                             open.restart_hint()));
@@ -56,7 +55,7 @@ std::string give_up_without_manager(const std::string& table) {
         words += fmt::format("{}{}", words.empty() ? "" : "; ", in_words(rank.rank, rank.host, rank.row));
     end_run_notes(table, false);
   }
-  return words.empty() ? "other ranks do not answer" : words + ", does not answer";
+  return words.empty() ? "other ranks do not answer" : words + " does not answer";
 }
 
 }  // namespace sigmasweep
