@@ -45,11 +45,25 @@ class Trial:
             time.sleep(self.random.uniform(0.0, 0.5))
             process.send_signal(signal.SIGUSR1)
         stop = time.monotonic()
+        self.let_go_on_after_the_end(process, pids)
         self.ended = end_of(process)
         self.seconds = time.monotonic() - stop
         self.sort = (f"rank {self.silent} of {ranks}, {'--max-time' if by_time else 'USR1'} "
                      f"{stop - start:.1f} s after the start: exit {self.ended.code} after {self.seconds:.1f} s")
         return self
+
+    def let_go_on_after_the_end(self, process, pids):
+        """A rank that is stopped after the end of MPI keeps mpirun waiting, while all others have ended well: nobody is
+        left who could give it up."""
+        end = time.monotonic() + WITHIN
+        while process.poll() is None and time.monotonic() < end:
+            left = ranks_of(process)
+            if self.sweep.table.exists() and len(pids) > 1 and left == [pids[self.silent]]:
+                time.sleep(1)
+                if ranks_of(process) == left:
+                    os.kill(left[0], signal.SIGCONT)
+                return
+            time.sleep(0.05)
 
     def check(self):
         test = self.test
