@@ -10,6 +10,7 @@
 
 #include "base/exit_codes.hpp"
 #include "base/spelling.hpp"
+#include "base/text/numbers.hpp"
 #include "cli/complain.hpp"
 #include "cli/launcher.hpp"
 #include "cli/registry.hpp"
@@ -54,12 +55,14 @@ class Cli11Options final : public OptionSet {
   }
 
   void add(const Option& option, int& target, Limits limits) override {
-    finish(option,
-           command_.add_option(option.names, target, option.meaning)->check(range(limits))->capture_default_str());
+    finish(option, command_.add_option(option.names, target, option.meaning)
+                       ->transform(whole())
+                       ->check(range(limits))
+                       ->capture_default_str());
   }
 
   void add(const Option& option, std::optional<std::uint64_t>& target, Limits limits) override {
-    finish(option, command_.add_option(option.names, target, option.meaning)->check(range(limits)));
+    finish(option, command_.add_option(option.names, target, option.meaning)->transform(whole())->check(range(limits)));
   }
 
   void add(const Option& option, std::function<bool(const std::string& typed)> take) override {
@@ -78,6 +81,16 @@ class Cli11Options final : public OptionSet {
   }
 
  private:
+  /// Writes +3, 3.0 and 1e1 as CLI11 reads whole numbers.
+  static CLI::Validator whole() {
+    return {[](std::string& typed) {
+              const auto number = parse_whole_number(typed);
+              if (number) typed = fmt::format("{}", *number);
+              return number ? "" : fmt::format("'{}' is not a whole number", typed);
+            },
+            ""};
+  }
+
   static CLI::Validator range(Limits limits) { return CLI::Range(limits.low, limits.high).description(""); }
 
   static void finish(const Option& option, CLI::Option* added) {

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
     complain(error.what(), speaker);
     return error.exit_code();
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return flushed(exit_code::success);  // fmt's error of a write that failed
     complain(fmt::format("internal error: {}", error.what()), speaker);
     return exit_code::internal_error;
   }

@@ -13,8 +13,10 @@
 #include <numeric>
 
 #include "assembly/ground.hpp"
+#include "assembly/springs.hpp"
 #include "base/atomic_file.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/exact_number.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/model/relevance.hpp"
@@ -59,7 +61,7 @@ std::string key_of(const Parameters& parameters, std::size_t samples, double dur
 void put_parameters(hid_t file, const Tuple& tuple, const Trajectory& trajectory) {
   const Handle group = new_group(file, "parameters");
   Row row;
-  row.parameters = tuple.parameters;
+  row.parameters = with_springs(tuple.parameters);
   for (const Field& field : parameter_fields()) {
     const std::string name(field.name);
     if (!enumerators(field.type).empty())
@@ -67,7 +69,7 @@ void put_parameters(hid_t file, const Tuple& tuple, const Trajectory& trajectory
     else if (field.type == FieldType::real)
       put_real(group, name, number(field, row));
     else
-      put_whole(group, name, static_cast<std::int64_t>(number(field, row)));
+      put_whole(group, name, static_cast<std::int64_t>(exact_number(field, row)));
   }
   put_whole(group, "row", static_cast<std::int64_t>(tuple.index));
   put_whole(group, "physics_version", physics_version);

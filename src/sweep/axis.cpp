@@ -14,8 +14,11 @@ namespace {
 /// Largest length of an axis whose values are stored.
 constexpr std::uint64_t tabulate_up_to = 4096;
 
-/// The shortest decimal that reads back as `value`, in extended precision: 1e-7 with 19 digits instead of 16.
-long double as_written(double value) {
+/// An end point: a whole number, or the shortest decimal that reads back as the same double, in extended precision:
+/// 1e-7 with 19 digits instead of 16.
+long double as_written(AnyNumber end, bool whole) {
+  if (whole) return end;
+  const auto value = static_cast<double>(end);
   const std::string decimal = fmt::format("{}", value);
   long double exact = value;
   std::from_chars(decimal.data(), decimal.data() + decimal.size(), exact);
@@ -24,47 +27,54 @@ long double as_written(double value) {
 
 }  // namespace
 
-Axis::Scale::Scale(const Interval& given) : interval(given), start(as_written(given.from)), end(as_written(given.to)) {
+Axis::Scale::Scale(const Interval& given)
+    : interval(given), start(as_written(given.from, given.whole)), end(as_written(given.to, given.whole)) {
   if (!interval.log) return;
   start = std::log(start);
   end = std::log(end);
 }
 
-double Axis::Scale::divided(long double from_start, long double to_end) const {
+AnyNumber Axis::Scale::divided(long double from_start, long double to_end) const {
+  if (from_start == 0) return interval.from;
   const long double mean = (start * to_end + end * from_start) / (from_start + to_end);
   const long double value = interval.log ? std::exp(mean) : mean;
   const auto [low, high] = std::minmax(interval.from, interval.to);
-  return std::clamp(static_cast<double>(interval.whole ? std::round(value) : value), low, high);
+  return std::clamp<AnyNumber>(interval.whole ? std::round(value) : static_cast<double>(value), low, high);
 }
 
-double Axis::Range::point(std::uint64_t k) const {
+AnyNumber Axis::Range::point(std::uint64_t k) const {
   if (k == 0) return scale.interval.from;
-  if (k == count - 1) return scale.interval.to;
+  const Interval& interval = scale.interval;
+  if (k == count - 1) return interval.to;
+  if (interval.whole && !interval.log)
+    return interval.from +
+           (interval.to - interval.from) / static_cast<AnyNumber>(count - 1) * static_cast<AnyNumber>(k);
   return scale.divided(static_cast<long double>(k), static_cast<long double>(count - 1 - k));
 }
 
-double Axis::Sample::point(std::uint64_t k) const {
+AnyNumber Axis::Sample::point(std::uint64_t k) const {
   const double u = unit(k);
   const Interval& interval = scale.interval;
   if (!interval.whole || interval.log) return scale.divided(u, 1.0L - u);
   // Each whole number has an equal part of [0, 1).
-  return std::min(interval.to, interval.from + std::floor(u * (interval.to - interval.from + 1.0)));
+  const auto numbers = static_cast<double>(interval.to - interval.from + 1);
+  return std::min<AnyNumber>(interval.to, interval.from + std::floor(u * numbers));
 }
 
 bool has_whole_step(const Interval& interval, std::uint64_t count) {
   if (count < 2) return true;
-  return std::fmod(interval.to - interval.from, static_cast<double>(count - 1)) == 0.0;
+  return std::fmod(interval.to - interval.from, static_cast<AnyNumber>(count - 1)) == 0;
 }
 
-Axis Axis::list(std::vector<double> values) { return Axis(Values(std::move(values))); }
+Axis Axis::list(std::vector<AnyNumber> values) { return Axis(Values(std::move(values))); }
 
 Axis Axis::range(const Interval& interval, std::uint64_t count) {
   assert(count > 0);
   const Range range{Scale(interval), count};
   if (!interval.whole || !interval.log) return Axis(Values(range)).tabulated();
-  std::vector<double> values;
+  std::vector<AnyNumber> values;
   for (std::uint64_t k = 0; k < count; ++k)
-    if (const double value = range.point(k); values.empty() || values.back() != value) values.push_back(value);
+    if (const AnyNumber value = range.point(k); values.empty() || values.back() != value) values.push_back(value);
   return list(std::move(values));
 }
 
@@ -75,7 +85,7 @@ Axis Axis::sample(const Interval& interval, std::uint64_t count, const Sampling&
 
 Axis Axis::tabulated() && {
   if (size() > tabulate_up_to) return std::move(*this);
-  std::vector<double> values(size());
+  std::vector<AnyNumber> values(size());
   for (std::uint64_t k = 0; k < values.size(); ++k) values[k] = (*this)[k];
   return list(std::move(values));
 }
@@ -96,20 +106,20 @@ double Axis::Sample::unit(std::uint64_t k) const {
 }
 
 std::uint64_t Axis::size() const {
-  if (const auto* values = std::get_if<std::vector<double>>(&values_)) return values->size();
+  if (const auto* values = std::get_if<std::vector<AnyNumber>>(&values_)) return values->size();
   if (const auto* range = std::get_if<Range>(&values_)) return range->count;
   return std::get<Sample>(values_).count;
 }
 
-double Axis::operator[](std::uint64_t k) const {
+AnyNumber Axis::operator[](std::uint64_t k) const {
   assert(k < size());
-  if (const auto* values = std::get_if<std::vector<double>>(&values_)) return (*values)[k];
+  if (const auto* values = std::get_if<std::vector<AnyNumber>>(&values_)) return (*values)[k];
   if (const auto* range = std::get_if<Range>(&values_)) return range->point(k);
   return std::get<Sample>(values_).point(k);
 }
 
-std::pair<double, double> Axis::bounds() const {
-  if (const auto* values = std::get_if<std::vector<double>>(&values_)) {
+std::pair<AnyNumber, AnyNumber> Axis::bounds() const {
+  if (const auto* values = std::get_if<std::vector<AnyNumber>>(&values_)) {
     const auto [low, high] = std::minmax_element(values->begin(), values->end());
     return {*low, *high};
   }

@@ -6,13 +6,15 @@
 #include <variant>
 #include <vector>
 
+#include "sigmasweep/model/exact_number.hpp"
+#include "sigmasweep/model/fields.hpp"
 #include "sweep/sampling.hpp"
 
 namespace sigmasweep {
 
 /// The interval of an axis, with its end points.
 struct Interval {
-  double from = 0.0, to = 0.0;
+  AnyNumber from = 0, to = 0;
   bool log = false;    ///< values are evenly spaced in the logarithm; from, to > 0
   bool whole = false;  ///< values are whole numbers
 };
@@ -27,35 +29,35 @@ struct Sampling {
 };
 
 /// The values of a parameter, by index. Ranges and samples are computed when they are used, so that an axis of 2^40
-/// values needs no memory. An enumerator's value is its number. End points are exact. Values between them are computed
-/// in extended precision from the end points as decimals, so that each is the double that a user would write: ten
-/// values from 0.1 to 1 are 0.1, 0.2, 0.3 ..., and a logarithmic range hits its decades.
+/// values needs no memory. An enumerator's value is its number. End points are exact, 64-bit integers, too. Values
+/// between them are computed in extended precision from the end points as decimals, so that each is the double that a
+/// user would write: ten values from 0.1 to 1 are 0.1, 0.2, 0.3 ..., and a logarithmic range hits its decades.
 class Axis {
  public:
-  static Axis list(std::vector<double> values);
+  static Axis list(std::vector<AnyNumber> values);
   /// `count` values from interval.from to interval.to, both included. A logarithmic range of whole numbers is rounded,
   /// and repeated values are dropped. A linear range of whole numbers must have a whole step (see has_whole_step).
   static Axis range(const Interval& interval, std::uint64_t count);
   static Axis sample(const Interval& interval, std::uint64_t count, const Sampling& sampling);
 
   std::uint64_t size() const;
-  double operator[](std::uint64_t k) const;
+  AnyNumber operator[](std::uint64_t k) const;
   /// The smallest interval that is known to include all values.
-  std::pair<double, double> bounds() const;
+  std::pair<AnyNumber, AnyNumber> bounds() const;
 
  private:
   /// An interval with its end points as decimals, or with the logarithms of these.
   struct Scale {
     explicit Scale(const Interval& interval);
     /// The value that divides the interval into parts of these lengths, on a logarithmic scale of the logarithm.
-    double divided(long double from_start, long double to_end) const;
+    AnyNumber divided(long double from_start, long double to_end) const;
     Interval interval;
     long double start, end;
   };
   struct Range {
     Scale scale;
     std::uint64_t count;
-    double point(std::uint64_t k) const;
+    AnyNumber point(std::uint64_t k) const;
   };
   struct Sample {
     Scale scale;
@@ -63,9 +65,9 @@ class Axis {
     Sampling sampling;
     SobolDimension sobol;
     double unit(std::uint64_t k) const;  ///< in [0, 1]
-    double point(std::uint64_t k) const;
+    AnyNumber point(std::uint64_t k) const;
   };
-  using Values = std::variant<std::vector<double>, Range, Sample>;
+  using Values = std::variant<std::vector<AnyNumber>, Range, Sample>;
   explicit Axis(Values values) : values_(std::move(values)) {}
   Axis tabulated() &&;
 

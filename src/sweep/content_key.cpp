@@ -4,11 +4,24 @@
 
 #include <xxhash.h>
 
+#include "sigmasweep/model/exact_number.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 
 namespace sigmasweep {
+
+namespace {
+
+/// The bits of a number as a double: -0.0 is the 0.0 that it equals. What a double lacks of a whole number beyond 2^53
+/// is added.
+std::uint64_t word_of(AnyNumber value) {
+  const auto rounded = static_cast<double>(value);
+  const auto rest = static_cast<std::int64_t>(value - static_cast<AnyNumber>(rounded));
+  return std::bit_cast<std::uint64_t>(rounded + 0.0) + static_cast<std::uint64_t>(rest);
+}
+
+}  // namespace
 
 std::uint64_t content_key(const Parameters& parameters) {
   // All parameters in the order of the registry, without padding bytes.
@@ -16,8 +29,7 @@ std::uint64_t content_key(const Parameters& parameters) {
   std::array<std::uint64_t, max_fields> words{physics_version};
   std::size_t used = 1;
   for (const ParameterField& field : fields_of_parameters())
-    words.at(used++) =
-        std::bit_cast<std::uint64_t>(number(field, parameters) + 0.0);  // + 0.0 makes -0.0 the 0.0 it equals
+    words.at(used++) = word_of(exact_number(field, parameters));
   return XXH3_64bits(words.data(), used * sizeof words[0]);
 }
 

@@ -18,7 +18,8 @@ Parameters values_at(const Parameters& base, const std::vector<ParameterGrid::Gr
   Parameters values = base;
   for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
     const std::uint64_t length = group->front().axis.size();
-    for (const ParameterGrid::Member& member : *group) set_number(*member.field, values, member.axis[index % length]);
+    for (const ParameterGrid::Member& member : *group)
+      set_exact_number(*member.field, values, member.axis[index % length]);
     index /= length;
   }
   return values;

@@ -24,8 +24,8 @@ std::uint64_t shuffled(std::uint64_t k, std::uint64_t count, std::uint64_t key) 
 }
 
 SobolDimension::SobolDimension(std::size_t dimension) {
-  // Point n is the exclusive or of the direction numbers at the bits of the Gray code of n + 1, as Boost leaves out the
-  // origin. The Gray code of n + 1 = 2^(j+1) - 1 is the single bit j: this point is direction number j.
+  // Point n is the exclusive or of the direction numbers at the bits of the Gray code of n. The Gray code of
+  // n = 2^(j+1) - 1 is the single bit j: this point is direction number j. Boost leaves out point 0, the origin.
   boost::random::sobol engine(dimension + 1);
   for (std::size_t j = 0; j < direction_.size(); ++j) {
     engine.seed((std::uint64_t{1} << (j + 1)) - 2);
@@ -36,7 +36,7 @@ SobolDimension::SobolDimension(std::size_t dimension) {
 
 std::uint64_t SobolDimension::bits(std::uint64_t k) const {
   std::uint64_t sum = 0;
-  for (std::uint64_t gray = (k + 1) ^ ((k + 1) >> 1); gray != 0; gray &= gray - 1)
+  for (std::uint64_t gray = k ^ (k >> 1); gray != 0; gray &= gray - 1)
     sum ^= direction_[static_cast<std::size_t>(std::countr_zero(gray))];
   return sum;
 }

@@ -1,6 +1,8 @@
 #include "sigmasweep/sweep/sweep.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -21,8 +23,8 @@ std::vector<Field> columns_of(const spec::Grid& grid) {
   const auto some_tuple = [&](auto holds) { return std::ranges::any_of(grid.representatives, holds); };
   std::vector<Field> columns;
   for (const Field& field : parameter_fields()) {
-    const bool is_axis = std::ranges::find(grid.axes, field.name, &ParameterField::name) != grid.axes.end();
-    if (is_axis || (field.always_column && some_tuple(field.always_column->holds))) columns.push_back(field);
+    const bool is_given = std::ranges::find(grid.given, field.name, &ParameterField::name) != grid.given.end();
+    if (is_given || (field.always_column && some_tuple(field.always_column->holds))) columns.push_back(field);
   }
   for (const Field& field : result_fields())
     if (some_tuple([&](const Parameters& tuple) { return applies_to(field, tuple); })) columns.push_back(field);
@@ -30,10 +32,15 @@ std::vector<Field> columns_of(const spec::Grid& grid) {
 }
 
 std::string read_text(const std::string& path) {
+  errno = 0;
   std::ifstream stream(path == "-" ? "/dev/stdin" : path, std::ios::binary);
   std::string text(spec::max_text + 1, '\0');
   if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!stream && !stream.eof()) throw InputNotFound(fmt::format("{}: cannot be read as a sweep spec", path));
+  if (!stream && !stream.eof()) {
+    const int why = errno;
+    throw InputNotFound(why == ENOENT ? fmt::format("there is no sweep spec {}", path)
+                                      : fmt::format("cannot read the sweep spec {}: {}", path, std::strerror(why)));
+  }
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
 }
@@ -69,9 +76,13 @@ Sweep Sweep::parse(std::string_view text, const std::string& file, Sections sect
   for (const ParameterField* field : impl->grid().axes) impl->axes.emplace_back(field->name);
   impl->columns = columns_of(impl->grid());
   const Sweep sweep(impl);
-  if (document.trajectory) impl->trajectory = spec::read_trajectory(*document.trajectory, sweep);
+  spec::Mistakes mistakes;
+  if (document.trajectory)
+    mistakes.keep([&] { impl->trajectory = spec::read_trajectory(*document.trajectory, sweep); });
   for (const SpecSection& section : sections)
-    if (const spec::Entry* table = sweep.section(section.name)) section.require_valid(*table, sweep);
+    if (const spec::Entry* table = sweep.section(section.name))
+      mistakes.keep([&] { section.require_valid(*table, sweep); });
+  mistakes.refuse_any(spec::Mistakes::readable);
   return sweep;
 }
 

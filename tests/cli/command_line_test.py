@@ -65,7 +65,7 @@ class WrongCommands(Files):
     def test_tuples_that_are_none(self):
         self.check(64, ["epsilon", "2"], "one", "--v0", 1, "--tc", 1, "--N", 2, "--epsilon", 2, "--s0", 0)
         self.check(64, ["v0", "-1"], "one", "--v0", -1, "--tc", 1, "--N", 2, "--epsilon", 1, "--s0", 0)
-        self.check(64, ["'tc' is missing"], "one", "--v0", 1)
+        self.check(64, ["'tc', 'epsilon', 'N' are missing"], "one", "--v0", 1)
         self.check(64, ["s0", "sigma"], "one", *COLUMN, "--s0", 0, "--sigma", 0)
         self.check(64, ["'tc'", "'material'", "conflict"], "one", *COLUMN, "--s0", 0, "--material", "steel")
         self.check(64, ["seed", "random"], "one", *COLUMN, "--s0", 0, "--seed", 3)

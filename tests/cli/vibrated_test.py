@@ -94,7 +94,7 @@ class Run(unittest.TestCase):
         self.assertEqual(self.ended.code, 0, self.ended)
         self.assertLessEqual(RESULTS | {"alpha", "A0", "frequency", "periods", "tc", "x_max"},
                              set(self.table.dtype.names))
-        self.assertFalse({"eps_eff", "v0", "sigma", "geometry"} & set(self.table.dtype.names))
+        self.assertFalse({"eps_eff", "v0", "sigma"} & set(self.table.dtype.names))
         self.assertEqual(self.table["alpha"].tolist(), [2, 4, 2, 4])
         self.assertTrue(numpy.isfinite(self.table["h_cm"]).all())
 

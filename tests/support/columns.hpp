@@ -8,7 +8,7 @@
 #include "sigmasweep/model/parameters.hpp"
 
 /// The golden list of columns: all fields of a row in the order in which they are stored, and which of them the table
-/// of a sweep of soft spheres has where no other parameter is an axis.
+/// of a sweep of soft spheres has where no other parameter is given.
 namespace sigmasweep::golden {
 
 enum class Part { parameters, results, timings };
@@ -28,7 +28,7 @@ inline constexpr auto columns = std::to_array<Column>({
     {"N", Part::parameters, "CVLP"},
     {"epsilon", Part::parameters, "CVLP"},
     {"method", Part::parameters, "CVLP"},
-    {"geometry", Part::parameters, ""},
+    {"geometry", Part::parameters, "VLP"},
     {"rows", Part::parameters, "LP"},
     {"columns", Part::parameters, "LP"},
     {"D_t", Part::parameters, ""},

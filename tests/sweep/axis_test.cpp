@@ -1,6 +1,7 @@
 #include "sweep/axis.hpp"
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 
 std::vector<double> values(const Axis& axis) {
   std::vector<double> all;
-  for (std::uint64_t k = 0; k < axis.size(); ++k) all.push_back(axis[k]);
+  for (std::uint64_t k = 0; k < axis.size(); ++k) all.push_back(static_cast<double>(axis[k]));
   return all;
 }
 
@@ -55,6 +56,18 @@ TEST(Axis, RangesOfWholeNumbers) {
   EXPECT_EQ(values(Axis::range({1, 10, true, true}, 10)), (std::vector{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0}));
 }
 
+TEST(Axis, WholeNumbersHave64Bits) {
+  constexpr std::int64_t most = INT64_MAX;
+  const auto whole = [](const Axis& axis, std::uint64_t k) { return static_cast<std::int64_t>(axis[k]); };
+  const Axis axis = Axis::range({AnyNumber(most - 20000), AnyNumber(most), false, true}, 10001);
+  for (std::uint64_t k = 0; k <= 10000; ++k) ASSERT_EQ(whole(axis, k), most - 20000 + 2 * static_cast<std::int64_t>(k));
+  EXPECT_FALSE(has_whole_step({AnyNumber(most - 20001), AnyNumber(most), false, true}, 10001));
+  const Axis sample = Axis::sample({AnyNumber(most - 5), AnyNumber(most), false, true}, 100, {SampleKind::uniform, 1});
+  std::set<std::int64_t> seen;
+  for (std::uint64_t k = 0; k < 100; ++k) seen.insert(whole(sample, k));
+  EXPECT_EQ(seen, (std::set{most - 5, most - 4, most - 3, most - 2, most - 1, most}));
+}
+
 TEST(Axis, LongRangesCostNoMemory) {
   const std::uint64_t count = std::uint64_t{1} << 40;
   const Axis axis = Axis::range({0.0, 1.0}, count);
@@ -85,11 +98,12 @@ TEST(Axis, SamplesOfWholeNumbersShareTheIntervalEvenly) {
 }
 
 TEST(Axis, SobolSamplesWithAndWithoutShift) {
-  EXPECT_EQ(values(Axis::sample({0.0, 8.0}, 4, {SampleKind::sobol, 0, 0})), (std::vector{4.0, 6.0, 2.0, 3.0}));
-  EXPECT_EQ(values(Axis::sample({0.0, 8.0}, 4, {SampleKind::sobol, 0, 1})), (std::vector{4.0, 2.0, 6.0, 3.0}));
-  const Axis shifted = Axis::sample({0.0, 1.0}, 4, {SampleKind::sobol, stream_key(5, "sigma"), 0});
-  EXPECT_EQ(values(shifted),
-            (std::vector{0.8815985008354359, 0.6315985008354359, 0.1315985008354359, 0.006598500835435894}));
+  EXPECT_EQ(values(Axis::sample({0.0, 8.0}, 4, {SampleKind::sobol, 0, 0})), (std::vector{0.0, 4.0, 6.0, 2.0}));
+  EXPECT_EQ(values(Axis::sample({0.0, 8.0}, 4, {SampleKind::sobol, 0, 1})), (std::vector{0.0, 4.0, 2.0, 6.0}));
+  auto shifted = values(Axis::sample({0.0, 1.0}, 5, {SampleKind::sobol, stream_key(5, "sigma"), 0}));
+  EXPECT_EQ(shifted.front(), unit_interval(stream_key(5, "sigma")));
+  shifted.erase(shifted.begin());
+  EXPECT_EQ(shifted, (std::vector{0.8815985008354359, 0.6315985008354359, 0.1315985008354359, 0.006598500835435894}));
 }
 
 TEST(Axis, LatinHypercubeHasOneValueInEachStratum) {
@@ -113,6 +127,6 @@ TEST(Axis, TabulatedAndComputedValuesAgree) {
 }
 
 TEST(Axis, BoundsHoldAllValues) {
-  EXPECT_EQ(Axis::list({3.0, 1.0, 2.0}).bounds(), (std::pair{1.0, 3.0}));
-  EXPECT_EQ(Axis::range({9.0, 1.0}, 5000).bounds(), (std::pair{1.0, 9.0}));
+  EXPECT_EQ(Axis::list({3.0, 1.0, 2.0}).bounds(), (std::pair<AnyNumber, AnyNumber>{1, 3}));
+  EXPECT_EQ(Axis::range({9.0, 1.0}, 5000).bounds(), (std::pair<AnyNumber, AnyNumber>{1, 9}));
 }

@@ -50,22 +50,41 @@ TEST(Sampling, ShuffledDependsOnTheKeyAndMixes) {
   EXPECT_LT(kept, 20);
 }
 
-// The first points printed by Joe and Kuo for their table new-joe-kuo-6, without the origin.
+// The first points printed by Joe and Kuo for their table new-joe-kuo-6.
 TEST(Sampling, SobolBeginsAsPublished) {
-  const double published[7][3] = {{0.5, 0.5, 0.5},       {0.75, 0.25, 0.25},    {0.25, 0.75, 0.75},
-                                  {0.375, 0.375, 0.625}, {0.875, 0.875, 0.125}, {0.625, 0.125, 0.875},
+  const double published[8][3] = {{0, 0, 0},
+                                  {0.5, 0.5, 0.5},
+                                  {0.75, 0.25, 0.25},
+                                  {0.25, 0.75, 0.75},
+                                  {0.375, 0.375, 0.625},
+                                  {0.875, 0.875, 0.125},
+                                  {0.625, 0.125, 0.875},
                                   {0.125, 0.625, 0.375}};
   for (std::size_t dimension = 0; dimension < 3; ++dimension) {
     const SobolDimension sobol(dimension);
-    for (std::size_t k = 0; k < 7; ++k) EXPECT_EQ(unit_interval(sobol.bits(k)), published[k][dimension]) << k;
+    for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(unit_interval(sobol.bits(k)), published[k][dimension]) << k;
   }
 }
 
 TEST(Sampling, SobolFillsEveryDyadicInterval) {
   for (const std::size_t dimension : {0u, 1u, 2u, 5u, 11u}) {
     const SobolDimension sobol(dimension);
-    std::set<std::uint64_t> cells{0};  // the origin, which is skipped
-    for (std::uint64_t k = 0; k < 1023; ++k) cells.insert(sobol.bits(k) >> 54);
+    std::set<std::uint64_t> cells;
+    for (std::uint64_t k = 0; k < 1024; ++k) cells.insert(sobol.bits(k) >> 54);
     EXPECT_EQ(cells.size(), 1024u) << dimension;
   }
+}
+
+// The first two dimensions are a (0, m, 2)-net in base 2: each box of area 2^-m and sides 2^-a, 2^-(m-a) holds one of
+// the 2^m points (Sobol 1967).
+TEST(Sampling, SobolsFirstPowersOfTwoAreNets) {
+  const SobolDimension x(0), y(1);
+  for (unsigned m = 1; m <= 10; ++m)
+    for (unsigned a = 0; a <= m; ++a) {
+      std::set<std::uint64_t> boxes;
+      const auto leading = [](std::uint64_t bits, unsigned count) { return count == 0 ? 0 : bits >> (64 - count); };
+      for (std::uint64_t k = 0; k < std::uint64_t{1} << m; ++k)
+        boxes.insert(leading(x.bits(k), a) << (m - a) | leading(y.bits(k), m - a));
+      EXPECT_EQ(boxes.size(), std::size_t{1} << m) << m << " " << a;
+    }
 }

@@ -37,8 +37,10 @@ Table read_part(const std::string& path, const TableInfo* first) {
   if (const std::string why_not = why_not_ours(part); !why_not.empty()) refuse(fmt::format("{} {}", path, why_not));
   const TableInfo& info = part.table.info;
   if (first != nullptr && info.spec_hash != first->spec_hash)
-    refuse(fmt::format("{} is of another spec (its hash is {:016x}, that of the first part {:016x})", path,
-                       info.spec_hash, first->spec_hash));
+    refuse(
+        fmt::format("{} is of another spec (its hash is {:016x}, that of the first part {:016x}); a spec with the "
+                    "rows of both takes them over with 'sigmasweep run SPEC.toml --reuse {}' (and --reuse of others)",
+                    path, info.spec_hash, first->spec_hash, path));
   return std::move(part.table);
 }
 

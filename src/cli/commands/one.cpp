@@ -1,15 +1,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "assembly/diameters.hpp"
+#include "assembly/springs.hpp"
 #include "base/exit_codes.hpp"
+#include "base/text/numbers.hpp"
 #include "cli/command.hpp"
 #include "engine/compute_row.hpp"
+#include "engine/report/remarks.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/relevance.hpp"
@@ -29,7 +33,17 @@ struct OneOptions {
 std::string toml_value(const Field& field, const std::string& typed) {
   if (field.type == FieldType::of<Flag>()) return typed;
   if (!enumerators(field.type).empty()) return fmt::format("\"{}\"", typed);
-  return field.type == FieldType::real ? fmt::format("{}", std::stod(typed)) : typed;
+  return field.type == FieldType::real ? fmt::format("{}", parse_number(typed).value())
+                                       : fmt::format("{}", parse_whole_number(typed).value());
+}
+
+/// A message about a spec without the place in the spec.
+std::string without_place(std::string message, std::string_view file) {
+  if (const auto place = message.find(": "); message.starts_with(file) && place != std::string::npos)
+    message.erase(0, place + 2);
+  for (const std::string_view prefix : {"sweep.", "sweep: "})
+    if (message.starts_with(prefix)) message.erase(0, prefix.size());
+  return message;
 }
 
 /// The tuple as a sweep of one row, so that the spec's checks and messages apply.
@@ -42,11 +56,10 @@ Sweep sweep_of(const OneOptions& options) {
   try {
     return Sweep::parse(spec, file);
   } catch (const SpecError& error) {  // "command line:3: sweep.s0 = -1: why"
-    std::string message = error.what();
-    if (const auto place = message.find(": "); message.starts_with(file) && place != std::string::npos)
-      message.erase(0, place + 2);
-    for (const std::string_view prefix : {"sweep.", "sweep: "})
-      if (message.starts_with(prefix)) message.erase(0, prefix.size());
+    std::istringstream mistakes(error.what());
+    std::string message;
+    for (std::string line; std::getline(mistakes, line);)
+      message += fmt::format("{}{}", message.empty() ? "" : "\n", without_place(line, file));
     throw UsageError(message + " (see sigmasweep one --help)");
   }
 }
@@ -69,7 +82,15 @@ bool is_result(const Field& field) {
   return std::ranges::find(result_fields(), field.name, &Field::name) != result_fields().end();
 }
 
-void print_result(const std::vector<Field>& columns, const Row& row) {
+/// The first diameters; all of them are in JSON.
+void print_diameters(const std::vector<double>& diameters, std::size_t width) {
+  constexpr std::size_t most = 10;
+  const std::size_t shown = std::min(most, diameters.size());
+  fmt::print("{:<{}} {:.6g} m{}\n", "diameters", width, fmt::join(diameters.begin(), diameters.begin() + shown, ", "),
+             shown < diameters.size() ? ", ... (--json has all)" : "");
+}
+
+void print_result(const std::vector<Field>& columns, const Row& row, const std::vector<double>& diameters) {
   std::size_t names = 0, values = 24;
   for (const Field& field : columns) {
     names = std::max(names, field.name.size());
@@ -78,11 +99,27 @@ void print_result(const std::vector<Field>& columns, const Row& row) {
   bool in_results = false;
   for (const Field& field : columns) {
     if (field.name == "eps_eff_error" || field.name == "h_cm_error") continue;
-    if (is_result(field) && !in_results) fmt::print("\n");
+    if (is_result(field) && !in_results) {
+      if (!diameters.empty()) print_diameters(diameters, names);
+      fmt::print("\n");
+    }
     in_results = is_result(field);
     fmt::print("{:<{}} {:<{}} {}\n", field.name, names, with_error(field, row), values, field.meaning);
   }
   fmt::print("\n{:.3g} ms of computing\n", 1e3 * row.timing.run_time);
+}
+
+/// The columns of a table, stiffness and damping, and all results that the tuple has.
+std::vector<Field> shown_fields(const Sweep& sweep, const Row& row) {
+  std::vector<Field> fields;
+  for (const Field& field : parameter_fields()) {
+    const bool is_column = std::ranges::find(sweep.columns(), field.name, &Field::name) != sweep.columns().end();
+    const bool is_spring = row.parameters.K_over_m > 0.0 && (field.name == "K_over_m" || field.name == "D_n");
+    if (is_column || is_spring) fields.push_back(field);
+  }
+  for (const Field& field : result_fields())
+    if (applies_to(field, row.parameters)) fields.push_back(field);
+  return fields;
 }
 
 int one(const OneOptions& options) {
@@ -90,19 +127,18 @@ int one(const OneOptions& options) {
   constexpr double no_limit = std::numeric_limits<double>::infinity();
   const Parameters parameters = sweep.at(0);
   const SweepTask task{.index = 0, .predicted_seconds = predicted_time(parameters), .parameters = parameters};
-  const Row row = *compute_row(task, 0, no_limit);
-  std::vector<Field> columns;  // columns of a table, parameters that were given, and stiffness and damping
-  for (const Field& field : parameter_fields()) {
-    const bool column = std::ranges::any_of(sweep.columns(), [&](const Field& f) { return f.name == field.name; });
-    const bool follows = row.parameters.K_over_m > 0.0 && (field.name == "K_over_m" || field.name == "D_n");
-    if (column || follows || options.given.contains(field.name)) columns.push_back(field);
+  Row row = *compute_row(task, 0, no_limit);
+  row.parameters = with_springs(row.parameters);
+  const std::vector<Field> fields = shown_fields(sweep, row);
+  const std::vector<double> unequal = diameters(parameters);
+  for (const std::string& remark : remarks_on(sweep)) fmt::print(stderr, "sigmasweep: {}\n", remark);
+  if (options.json) {
+    auto document = json_of(fields, row);
+    if (!unequal.empty()) document["diameters"] = unequal;
+    fmt::print("{}\n", document.dump(2));
+  } else {
+    print_result(fields, row, unequal);
   }
-  for (const Field& field : result_fields())
-    if (applies_to(field, row.parameters)) columns.push_back(field);
-  if (options.json)
-    fmt::print("{}\n", json_of(columns, row).dump(2));
-  else
-    print_result(columns, row);
   return is_success(row.result.status) ? exit_code::success : exit_code::some_rows_failed;
 }
 
@@ -115,12 +151,8 @@ std::string option_names(std::string_view name) {
 
 /// The message about a text that is not a real or whole number; empty if it is one. The spec checks the value.
 std::string number_complaint(const std::string& typed, bool real) {
-  const char *begin = typed.data(), *end = begin + typed.size();
-  double number;
-  std::int64_t whole;
-  const auto [rest, error] = real ? std::from_chars(begin, end, number) : std::from_chars(begin, end, whole);
-  if (error == std::errc() && rest == end) return {};
-  return fmt::format("'{}' is not a {}number", typed, real ? "" : "whole ");
+  if (real ? parse_number(typed).has_value() : parse_whole_number(typed).has_value()) return {};
+  return fmt::format("'{}' is not a {}number{}", typed, real ? "" : "whole ", number_hint(typed));
 }
 
 /// The option of a parameter. Its value is a number, or a name of the parameter's enumeration.

@@ -5,8 +5,7 @@
 
 #include "base/printable.hpp"
 #include "cli/command.hpp"
-#include "engine/report/duplicate_rows.hpp"
-#include "engine/report/unstable_rows.hpp"
+#include "engine/report/remarks.hpp"
 #include "sigmasweep/solve/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "studies/sections.hpp"
@@ -104,8 +103,7 @@ void print_json(const Sweep& sweep, const Plan& plan, int ranks) {
 int plan(const PlanOptions& options) {
   const Sweep sweep = Sweep::load(options.spec, study_sections);
   const Plan result = plan_of(sweep, options.ranks);
-  for (const std::string& warning : {stability_warning(sweep), duplicate_warning(sweep)})
-    if (!warning.empty()) fmt::print(stderr, "sigmasweep: {}\n", warning);
+  for (const std::string& remark : remarks_on(sweep)) fmt::print(stderr, "sigmasweep: {}\n", remark);
   if (options.json)
     print_json(sweep, result, options.ranks);
   else
@@ -122,8 +120,13 @@ void declare(OptionSet& set, PlanOptions& options) {
 }  // namespace
 
 Command plan_command() {
-  return make_command("plan", "Check a sweep spec and predict its computing time; nothing is run",
-                      "\n  sigmasweep plan fig2a.toml --ranks 64", declare, plan);
+  return make_command(
+      "plan", "Check a sweep spec and predict its computing time; nothing is run",
+      "\nA parameter in [sweep] is a value; a list; a range { from, to, count, scale = \"linear\" | \"log\" };\n"
+      "or a sample { sample = \"uniform\" | \"log-uniform\" | \"sobol\" | \"latin-hypercube\", from, to,\n"
+      "count, seed, scale }, where scale is for the last two.\n\n"
+      "  sigmasweep plan fig2a.toml --ranks 64",
+      declare, plan);
 }
 
 }  // namespace sigmasweep

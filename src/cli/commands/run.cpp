@@ -1,5 +1,6 @@
 #include "engine/run.hpp"
 
+#include <fmt/format.h>
 #include <charconv>
 #include <optional>
 
@@ -10,6 +11,13 @@
 
 namespace sigmasweep {
 namespace {
+
+constexpr std::string_view time_help = "seconds or [D-]HH:MM:SS";
+
+std::string time_complaint(const std::string& typed) {
+  if (parse_duration(typed)) return {};
+  return fmt::format("'{}' is not a time: give {}, such as 24:00:00 for 24 hours", typed, time_help);
+}
 
 /// Reads "3/8"; nothing for text of another form.
 std::optional<Slice> parse_slice(const std::string& typed) {
@@ -22,6 +30,14 @@ std::optional<Slice> parse_slice(const std::string& typed) {
   if (bad_count != std::errc() || rest != end || slice.index >= slice.count || slice.count > max_count)
     return std::nullopt;
   return slice;
+}
+
+std::string slice_complaint(const std::string& typed) {
+  if (parse_slice(typed)) return {};
+  return fmt::format(
+      "'{}' is not a slice: give I/N with I from 0 to N - 1, the three slices of a sweep are 0/3, 1/3 and "
+      "2/3",
+      typed);
 }
 
 void declare(OptionSet& set, RunOptions& options) {
@@ -38,9 +54,17 @@ void declare(OptionSet& set, RunOptions& options) {
     if (options.max_seconds) LastResort::expect_stop_in(*options.max_seconds);  // MPI may not even begin
     return options.max_seconds.has_value();
   };
-  set.add({"--max-time", "Stop on purpose (exit code 75) within this time: seconds or [D-]HH:MM:SS", "T"}, take_time);
-  set.add({.names = "--max-seconds", .meaning = "", .type_name = "T", .hidden = true}, take_time);
-  set.add({"--slice", "Compute slice I (from 0) of N equal ones, for 'sigmasweep merge' to join", "I/N"},
+  set.add({.names = "--max-time",
+           .meaning = fmt::format("Stop on purpose (exit code 75) within this time: {}", time_help),
+           .type_name = "T",
+           .complaint = time_complaint},
+          take_time);
+  set.add({.names = "--max-seconds", .meaning = "", .type_name = "T", .complaint = time_complaint, .hidden = true},
+          take_time);
+  set.add({.names = "--slice",
+           .meaning = "Compute slice I (from 0) of N equal ones, for 'sigmasweep merge' to join",
+           .type_name = "I/N",
+           .complaint = slice_complaint},
           [&options](const std::string& typed) {
             const auto slice = parse_slice(typed);
             if (slice) options.slice = *slice;

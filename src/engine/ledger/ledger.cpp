@@ -18,9 +18,10 @@
 namespace sigmasweep {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+[[noreturn]] void refuse(const std::string& path, const std::string& what, std::string_view first_advice = "") {
   throw OutputError(
-      fmt::format("{}: {}; nothing was changed. Choose another output with -o, or --fresh to replace it", path, what));
+      fmt::format("{}: {}; nothing was changed. {}Choose another output with -o, or --fresh to replace it", path, what,
+                  first_advice));
 }
 
 /// The identity of the journal; a slice of the sweep has another identity than the sweep. Throws SpecError where the
@@ -119,10 +120,11 @@ void Ledger::take_table(const Sweep& sweep, const std::string& path, bool begun,
     if (begun) return;  // the journal is younger
     return take_rows(sweep, table, path);
   }
+  if (!extend && table.info.spec_hash == sweep.hash())
+    refuse(path, "is there already and is the table of another slice of this spec");
   if (!extend)
-    refuse(path, table.info.spec_hash == sweep.hash()
-                     ? "is there already and is the table of another slice of this spec"
-                     : "is there already and is the table of another spec (--extend takes over the rows that it has)");
+    refuse(path, "is there already and is the table of another spec",
+           "Run it with --extend, which takes over the rows that are the same. Or: ");
   ReusableRows found = reusable_rows(path);
   if (!found.why_not.empty()) refuse(path, found.why_not);
   take_over(sweep, {path, {}, std::move(found.rows)});
@@ -132,6 +134,7 @@ void Ledger::take_table(const Sweep& sweep, const std::string& path, bool begun,
 /// others.
 void Ledger::take_rows(const Sweep& sweep, const Table& table, const std::string& path) {
   if (const std::string why_not = why_other_physics(table.info); !why_not.empty()) refuse(path, why_not);
+  if (!has_axes_of(sweep, table.rows)) refuse(path, "was computed by a program that reads its spec otherwise");
   for (const Row& row : table.rows) keep_or_retry(row);
   table_is_complete_ = is_complete();
   if (table_is_complete_) return;

@@ -11,9 +11,8 @@
 #include "engine/distribute/distribute.hpp"
 #include "engine/phases/give_up.hpp"
 #include "engine/phases/phase.hpp"
-#include "engine/report/duplicate_rows.hpp"
 #include "engine/report/progress.hpp"
-#include "engine/report/unstable_rows.hpp"
+#include "engine/report/remarks.hpp"
 #include "sigmasweep/solve/cost.hpp"
 #include "store/run_notes/run_notes.hpp"
 #include "sweep/schedule.hpp"
@@ -129,8 +128,7 @@ Computed compute_rows(const World& world, OpenSweep& open, RunNotes& notes, std:
   on_manager(world, [&] {
     const std::uint64_t missing = open.rows() - open.ledger->kept();
     announce(reporter, missing, world.size());
-    for (const std::string& warning : {stability_warning(open.sweep), duplicate_warning(open.sweep)})
-      if (!warning.empty()) reporter.say(warning);
+    for (const std::string& remark : remarks_on(open.sweep)) reporter.say(remark);
     schedule.emplace(schedule_of(*open.ledger, open.sweep, job.manager_computes ? world.size() : world.size() - 1));
     intake.emplace(*open.ledger, deadline ? &*deadline : nullptr,
                    Progress(missing, schedule->total_seconds(), reporter), notes);

@@ -11,7 +11,7 @@ std::string quoted(std::string_view value) {
   return quoted + "\"";
 }
 
-/// Comma-separated values (RFC 4180), with the names of the columns in the first line.
+/// Comma-separated values (RFC 4180, but lines end with LF), with the names of the columns in the first line.
 class Csv final : public RowWriter {
  public:
   using RowWriter::RowWriter;
@@ -30,7 +30,7 @@ class Csv final : public RowWriter {
       if (!line.empty()) line += ',';
       line += quoted(value_of(field));
     }
-    return line + "\r\n";
+    return line + "\n";
   }
 };
 
@@ -38,7 +38,8 @@ class Csv final : public RowWriter {
 
 RowFormat csv_format() {
   return format_of<Csv>("csv",
-                        "RFC 4180, a header with the fields' names, numbers to the bit; nan where there is no result");
+                        "comma-separated values (RFC 4180, lines end with LF), a header with the fields' names, "
+                        "numbers to the bit; nan where there is no result");
 }
 
 }  // namespace sigmasweep

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "sigmasweep/model/exact_number.hpp"
 #include "store/rows/row_writer.hpp"
 
 namespace sigmasweep {
@@ -37,7 +38,7 @@ nlohmann::ordered_json json_of(std::span<const Field> fields, const Row& row) {
     else if (field.type == FieldType::real)
       value = number(field, row);
     else
-      value = static_cast<std::int64_t>(number(field, row));
+      value = static_cast<std::int64_t>(exact_number(field, row));
   }
   return document;
 }

@@ -7,6 +7,7 @@
 
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/model/exact_number.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/model/relevance.hpp"
@@ -38,6 +39,10 @@ StoredSweep with_sweep(StoredRows rows_of_it, const std::string& path) {
       return content_key(row.parameters) != content_key(stored.sweep->at(row.index));
     });
   }
+  if (!has_axes_of(*stored.sweep, rows)) {
+    stored.sweep.reset();
+    return stored;
+  }
   for (Row& row : rows) row.parameters = stored.sweep->at(row.index);
   return stored;
 }
@@ -58,8 +63,19 @@ std::string incomplete_line(const StoredRows& stored, const std::string& path) {
   return fmt::format("{} is not complete: {} of {} rows so far", path, stored.table.rows.size(), stored.total);
 }
 
+bool has_axes_of(const Sweep& sweep, std::span<const Row> rows) {
+  std::vector<const ParameterField*> axes;
+  for (const std::string& name : sweep.axes()) axes.push_back(find_parameter(name));
+  return std::ranges::all_of(rows, [&](const Row& row) {
+    const Parameters of_spec = sweep.at(row.index);
+    return std::ranges::all_of(axes, [&](const ParameterField* axis) {
+      return exact_number(*axis, row.parameters) == exact_number(*axis, of_spec);
+    });
+  });
+}
+
 std::string why_not_ours(const StoredSweep& stored) {
-  if (!stored.sweep) return "has a spec that this program cannot read";
+  if (!stored.sweep) return "has a spec that this program cannot read, or reads otherwise";
   const std::string physics = why_other_physics(stored.table.info);
   return physics.empty() ? why_other_build(stored.table.info) : physics;
 }

@@ -16,7 +16,8 @@ namespace sigmasweep {
 
 /// The rows of a sweep, complete or not, with the sweep that they came from.
 struct StoredSweep : StoredRows {
-  std::optional<Sweep> sweep{};  ///< not there if this program cannot read the table's spec any more
+  /// Not there if this program cannot read the table's spec any more, or reads it otherwise.
+  std::optional<Sweep> sweep{};
 };
 
 /// Reads what is there of a sweep: its table, or its journal while it is not complete. Parameters that are no columns
@@ -27,6 +28,10 @@ StoredSweep read_finished_sweep(const std::string& path);
 
 /// "beads.h5 is not complete: 71 of 800 rows so far"; empty if it is complete.
 std::string incomplete_line(const StoredRows& stored, const std::string& path);
+
+/// Whether the rows have the axes' values that the sweep has for them. A program of another version may have read its
+/// spec otherwise, as those did whose Sobol samples began with the second point.
+bool has_axes_of(const Sweep& sweep, std::span<const Row> rows);
 
 /// Why the rows of the table must not be mixed with rows of this program ("was computed by another ..."); empty if they
 /// may.

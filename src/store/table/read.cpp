@@ -29,8 +29,20 @@ bool has_only(hid_t enumeration, std::span<const std::string_view> names) {
 /// Whether a member of this HDF5 type can be read into a field of this type.
 bool convertible(hid_t member, FieldType type) {
   const H5T_class_t found = H5Tget_class(member);
+  if (type == FieldType::of<Flag>() && found == H5T_ENUM && has_only(member, flag_names)) return true;
   if (const auto names = enumerators(type); !names.empty()) return found == H5T_ENUM && has_only(member, names);
   return found == (type == FieldType::real ? H5T_FLOAT : H5T_INTEGER);
+}
+
+/// Whether a truth value of the compound has the names that earlier programs gave it.
+bool has_earlier_flags(hid_t type, std::span<const Field> fields) {
+  for (const Field& field : fields) {
+    if (field.type != FieldType::of<Flag>()) continue;
+    const std::int64_t i = check(H5Tget_member_index(type, std::string(field.name).c_str()), "cannot find a member");
+    const Handle member(H5Tget_member_type(type, static_cast<unsigned>(i)), H5Tclose, "cannot read a member's type");
+    if (has_only(member, enumerators(field.type))) return true;
+  }
+  return false;
 }
 
 /// Those of the `known` fields that the dataset has, in its order. Members of other names are ignored.
@@ -72,7 +84,7 @@ std::vector<Field> read_rows(hid_t file, const std::string& name, const std::vec
     throw IoError(fmt::format("dataset {} is damaged: its rows do not have its checksum", name));
   require_memory_for(total_rows);
   rows.resize(total_rows);
-  const Handle type = packed_type(fields);
+  const Handle type = packed_type(fields, has_earlier_flags(stored, fields));
   const std::size_t size = packed_size(fields);
   const std::uint64_t at_a_time = 1 << 16;
   std::vector<std::byte> buffer(size * std::min(total_rows, at_a_time));

@@ -23,6 +23,17 @@ Handle enum_type(std::span<const std::string_view> names) {
   return type;
 }
 
+/// h5py and PyTables read this enumeration as bool.
+Handle flag_type() {
+  Handle type(H5Tenum_create(H5T_NATIVE_INT8), H5Tclose, what);
+  std::int8_t value = 0;
+  for (const std::string_view name : flag_names) {
+    check(H5Tenum_insert(type, std::string(name).c_str(), &value), what);
+    ++value;
+  }
+  return type;
+}
+
 }  // namespace
 
 Handle value_type(FieldType type) {
@@ -33,14 +44,17 @@ Handle value_type(FieldType type) {
     case FieldType::Storage::integer32: return number_type(H5T_NATIVE_INT32);
     case FieldType::Storage::enumeration: break;
   }
-  return enum_type(enumerators(type));
+  return type == FieldType::of<Flag>() ? flag_type() : enum_type(enumerators(type));
 }
 
-Handle packed_type(std::span<const Field> fields) {
+Handle packed_type(std::span<const Field> fields, bool of_earlier_program) {
   Handle type(H5Tcreate(H5T_COMPOUND, packed_size(fields)), H5Tclose, what);
   std::size_t offset = 0;
   for (const Field& field : fields) {
-    check(H5Tinsert(type, std::string(field.name).c_str(), offset, value_type(field.type)), what);
+    check(H5Tinsert(type, std::string(field.name).c_str(), offset,
+                    of_earlier_program && field.type == FieldType::of<Flag>() ? enum_type(enumerators(field.type))
+                                                                              : value_type(field.type)),
+          what);
     offset += packed_size(field.type);
   }
   return type;

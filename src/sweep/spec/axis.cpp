@@ -20,30 +20,27 @@ constexpr std::array<std::string_view, 4> samples{"uniform", "log-uniform", "sob
 
 constexpr std::uint64_t max_values = std::uint64_t{1} << 40;
 constexpr std::uint64_t max_stored_values = std::uint64_t{1} << 20;
-constexpr double largest_whole = 0x1p53;  // doubles represent all whole numbers up to this one
 
 bool is_whole(const ParameterField& field) { return field.type == FieldType::integer; }
 
 /// Refuses a value that its parameter never has, with any values of other parameters.
-void require_allowed(const Entry& entry, const ParameterField& field, double value) {
-  if (is_whole(field) && !(std::floor(value) == value && std::abs(value) <= largest_whole))
-    refuse_value(entry, "must be a whole number");
-  const std::string shown =
-      is_whole(field) ? fmt::format("{}", static_cast<std::int64_t>(value)) : fmt::format("{}", value);
+void require_allowed(const Entry& entry, const ParameterField& field, double value, const std::string& shown) {
   const std::string why = why_refused(field, value, shown);
   if (!why.empty()) throw SpecError(fmt::format("{}sweep.{}", place(*entry.file, entry.line), why));
 }
 
-double read_value(const Entry& entry, const ParameterField& field) {
-  if (field.type == FieldType::of<Flag>()) return as_truth(entry) ? 1.0 : 0.0;
-  if (const auto names = enumerators(field.type); !names.empty()) return static_cast<double>(as_one_of(entry, names));
-  const double value = as_number(entry);
-  require_allowed(entry, field, value);
+AnyNumber read_value(const Entry& entry, const ParameterField& field) {
+  if (field.type == FieldType::of<Flag>()) return as_truth(entry) ? 1 : 0;
+  if (const auto names = enumerators(field.type); !names.empty())
+    return static_cast<AnyNumber>(as_one_of(entry, names));
+  const AnyNumber value = is_whole(field) ? static_cast<AnyNumber>(as_whole_number(entry)) : as_number(entry);
+  const auto rounded = static_cast<double>(value);
+  require_allowed(entry, field, rounded, is_whole(field) ? fmt::format("{:.0f}", value) : fmt::format("{}", rounded));
   return value;
 }
 
-std::vector<double> read_list(const Entry& entry, const ParameterField& field) {
-  std::vector<double> values;
+std::vector<AnyNumber> read_list(const Entry& entry, const ParameterField& field) {
+  std::vector<AnyNumber> values;
   for (const Entry& element : elements(entry)) values.push_back(read_value(element, field));
   if (values.empty()) refuse(entry, "an axis needs at least one value, this list is empty");
   return values;
@@ -105,7 +102,7 @@ void require_sensible(const Form& form) {
   for (const Entry* end : {&form.from, &form.to})
     if (log && as_number(*end) <= 0.0) refuse_value(*end, "a logarithmic axis needs from > 0 and to > 0");
   if (form.sample) {
-    if (from > to) refuse_value(form.from, fmt::format("must not be above 'to', which is {}", to));
+    if (from > to) refuse_value(form.from, fmt::format("must not be above 'to', which is {}", static_cast<double>(to)));
     return;
   }
   if (form.count == 1 && from != to)

@@ -4,9 +4,11 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "model/fields/conditions.hpp"
 #include "sigmasweep/model/relevance.hpp"
+#include "sweep/spec/mistakes.hpp"
 
 namespace sigmasweep::spec {
 namespace {
@@ -21,15 +23,17 @@ const Setting* first_of(const Way& way, const std::vector<Setting>& settings) {
   return nullptr;
 }
 
-[[noreturn]] void refuse_missing(const Entry& sweep, std::string_view name, const std::vector<Parameters>& tuples) {
+[[noreturn]] void refuse_missing(const Entry& sweep, const std::vector<std::string_view>& names,
+                                 const std::vector<Parameters>& tuples) {
   const bool vibrated = std::ranges::all_of(tuples, conditions::vibrates.holds),
              any_lattice = std::ranges::any_of(tuples, conditions::lattice.holds);
   const std::string_view size = std::ranges::all_of(tuples, conditions::lattice.holds) ? "rows"
                                 : any_lattice                                          ? "N, rows"
                                                                                        : "N";
-  refuse(sweep, fmt::format("'{}' is missing: {}{}, one of {}, and tc and epsilon (or instead of these K_over_m and "
+  refuse(sweep, fmt::format("'{}' {} missing: {}{}, one of {}, and tc and epsilon (or instead of these K_over_m and "
                             "D_n, or a material) are needed",
-                            name, vibrated ? "" : "v0, ", size, vibrated ? "alpha and A0" : "s0 and sigma"));
+                            fmt::join(names, "', '"), names.size() == 1 ? "is" : "are", vibrated ? "" : "v0, ", size,
+                            vibrated ? "alpha and A0" : "s0 and sigma"));
 }
 
 /// Whether tc must be given. Collisions of hard spheres take no time; the default tc only gives sigma its unit.
@@ -82,8 +86,9 @@ void require_one_way(const std::vector<Setting>& settings) {
 
 void require_complete(const Entry& sweep, const std::vector<Setting>& settings, const std::vector<Parameters>& tuples) {
   const bool all_vibrated = std::ranges::all_of(tuples, conditions::vibrates.holds);
+  std::vector<std::string_view> missing;
   const auto require = [&](std::string_view name) {
-    if (!find(settings, name)) refuse_missing(sweep, name, tuples);
+    if (!find(settings, name)) missing.push_back(name);
   };
   const auto require_where_used = [&](std::string_view name) {
     const Field& field = *find_field(name);
@@ -98,6 +103,7 @@ void require_complete(const Entry& sweep, const std::vector<Setting>& settings, 
   }
   require_where_used("N");
   require_where_used("rows");
+  if (!missing.empty()) refuse_missing(sweep, missing, tuples);
   require_one_of(sweep, settings, {"s0", "sigma"}, !all_vibrated, "sigma = s0/(v0 tc)");
   require_one_of(sweep, settings, {"alpha", "A0"}, std::ranges::any_of(tuples, conditions::vibrates.holds),
                  "alpha = A0 (2 pi frequency)^2/gravity");
@@ -116,15 +122,18 @@ void require_used(const std::vector<Setting>& settings, const std::vector<Parame
   const auto used = [&](const Setting& setting) {
     return std::ranges::any_of(tuples, [&](const Parameters& tuple) { return applies_to(*setting.field, tuple); });
   };
-  for (const Setting& setting : settings) {
-    if (used(setting)) continue;
+  Mistakes mistakes;
+  const auto require = [&](const Setting& setting) {
+    if (used(setting)) return;
     const Setting* steps = find(settings, "steps_per_tc");
     if (setting.field->name == "tolerance" && steps && used(*steps))
       refuse(setting.entry,
              "'steps_per_tc' and 'tolerance' conflict: give the time step, or the error for which it "
              "is chosen");
     refuse(setting.entry, fmt::format("no tuple uses it: it needs {}", requirement_of(*setting.field)));
-  }
+  };
+  for (const Setting& setting : settings) mistakes.keep([&] { require(setting); });
+  mistakes.refuse_any();
 }
 
 }  // namespace sigmasweep::spec

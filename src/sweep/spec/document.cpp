@@ -7,21 +7,12 @@
 
 #include "model/fields/conditions.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sweep/spec/toml_guard.hpp"
+#include "sweep/spec/parse_toml.hpp"
 
 namespace sigmasweep::spec {
 namespace {
 
 constexpr std::array<std::string_view, 5> own_tables{"title", "sweep", "plot", "run", "trajectory"};
-
-toml::table parse_toml(std::string_view text, const std::string& file) {
-  require_parsable(text, file);
-  try {
-    return toml::parse(text, std::string_view(file));
-  } catch (const toml::parse_error& error) {
-    throw SpecError(place(file, error.source().begin.line) + std::string(error.description()));
-  }
-}
 
 /// Refuses a plot whose data the sweep does not have.
 void require_plottable(const Entry& entry, const PlotSpec& plot, const Document& document) {
@@ -38,9 +29,10 @@ void require_plottable(const Entry& entry, const PlotSpec& plot, const Document&
 }
 
 std::vector<PlotSpec> plots_of(const std::optional<Entry>& entry, const Document& document) {
-  const PlotSpec usual = usual_plot(*document.grid);
+  const PlotSpec usual = document.grid ? usual_plot(*document.grid) : PlotSpec{};
   if (!entry) return {usual};
   std::vector<PlotSpec> plots = read_plots(*entry, usual);
+  if (!document.grid) return plots;  // there are mistakes in [sweep]
   for (const PlotSpec& plot : plots) require_plottable(*entry, plot, document);
   return plots;
 }
@@ -54,27 +46,31 @@ void require_known(const Entry& entry, std::span<const SpecSection> sections) {
 }  // namespace
 
 Document::Document(std::string_view given, std::string name)
-    : text(given), file(std::move(name)), toml(parse_toml(text, file)) {}
+    : text(given), file(std::move(name)), toml(parse_toml(text, file, mistakes)) {}
 
 void read_tables(Document& document, std::span<const SpecSection> sections, bool any_section) {
+  Mistakes& mistakes = document.mistakes;
+  const bool has_syntax_mistakes = mistakes.are_there();  // lines are left out: keys may be missing
   std::optional<Entry> plot;
-  for (const Entry& entry : entries(document.toml, document.file, "")) {
+  const auto read = [&](const Entry& entry) {
     if (!any_section) require_known(entry, sections);
     if (entry.name == "title")
       document.title = as_string(entry);
     else if (entry.name == "sweep")
-      document.grid = read_sweep(entry);
+      document.grid = read_sweep(entry, has_syntax_mistakes);
     else if (entry.name == "plot")
       plot = entry;
     else if (entry.name == "run")
       document.run = read_run(entry);
     else if (entry.name == "trajectory")
-      document.trajectory = entry;
+      require_trajectory_keys(*(document.trajectory = entry));
     else
       document.sections.push_back(entry);
-  }
+  };
+  for (const Entry& entry : entries(document.toml, document.file, "")) mistakes.keep([&] { read(entry); });
+  mistakes.keep([&] { document.plots = plots_of(plot, document); });
+  mistakes.refuse_any(Mistakes::readable);
   if (!document.grid) throw SpecError(fmt::format("{}: the table [sweep] is missing", document.file));
-  document.plots = plots_of(plot, document);
 }
 
 }  // namespace sigmasweep::spec

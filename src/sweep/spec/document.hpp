@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sweep/spec/mistakes.hpp"
 #include "sweep/spec/tables.hpp"
 
 namespace sigmasweep::spec {
@@ -17,6 +18,7 @@ struct Document {
   Document& operator=(const Document&) = delete;
 
   std::string text, file;
+  Mistakes mistakes;  ///< of syntax, until read_tables() adds the others and reports them
   toml::table toml;
   std::string title;
   RunSpec run;

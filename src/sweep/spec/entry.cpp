@@ -1,11 +1,12 @@
 #include "sweep/spec/entry.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "base/spelling.hpp"
+#include "base/text/numbers.hpp"
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::spec {
@@ -28,6 +29,12 @@ std::string describe(const toml::node& node) {
   if (const auto* value = node.as_boolean()) return **value ? "true" : "false";
   if (node.is_array()) return "[...]";
   return node.is_table() ? "{...}" : "a date or time";
+}
+
+std::optional<std::int64_t> as_whole(const Entry& entry) {
+  if (const auto* value = entry.node->as_integer()) return value->get();
+  const auto* value = entry.node->as_floating_point();
+  return value != nullptr ? whole_number(value->get()) : std::nullopt;
 }
 
 }  // namespace
@@ -108,13 +115,20 @@ bool as_truth(const Entry& entry) {
 double as_number(const Entry& entry) {
   if (const auto* value = entry.node->as_floating_point()) return value->get();
   if (const auto* value = entry.node->as_integer()) return static_cast<double>(value->get());
-  refuse_value(entry, "must be a number");
+  const auto* text = entry.node->as_string();
+  refuse_value(entry, fmt::format("must be a number{}", text != nullptr ? number_hint(text->get()) : ""));
+}
+
+std::int64_t as_whole_number(const Entry& entry) {
+  as_number(entry);
+  if (const auto value = as_whole(entry)) return *value;
+  refuse_value(entry, "must be a whole number");
 }
 
 std::uint64_t as_count(const Entry& entry, std::uint64_t least, std::uint64_t most) {
-  const auto* value = entry.node->as_integer();
-  if (value != nullptr && value->get() >= 0) {
-    const auto count = static_cast<std::uint64_t>(value->get());
+  const auto value = as_whole(entry);
+  if (value && *value >= 0) {
+    const auto count = static_cast<std::uint64_t>(*value);
     if (count >= least && count <= most) return count;
   }
   refuse_value(entry, fmt::format("must be a whole number from {} to {}", least, most));

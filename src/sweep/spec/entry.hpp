@@ -39,7 +39,8 @@ std::string as_string(const Entry& entry);
 /// The place in the list `allowed` of a string.
 std::size_t as_one_of(const Entry& entry, std::span<const std::string_view> allowed);
 bool as_truth(const Entry& entry);
-double as_number(const Entry& entry);  ///< an integer or a float
+double as_number(const Entry& entry);              ///< an integer or a float
+std::int64_t as_whole_number(const Entry& entry);  ///< an integer, to the bit, or a float such as 61.0
 std::uint64_t as_count(const Entry& entry, std::uint64_t least, std::uint64_t most);
 
 }  // namespace sigmasweep::spec

@@ -10,6 +10,7 @@
 #include "sigmasweep/model/geometry.hpp"
 #include "sweep/expression/formula.hpp"
 #include "sweep/expression/where.hpp"
+#include "sweep/spec/mistakes.hpp"
 #include "sweep/spec/tables.hpp"
 
 namespace sigmasweep::spec {
@@ -136,7 +137,9 @@ std::vector<GuideSpec> read_guides(const Entry& list) {
   const std::vector<Entry> tables = elements(list);
   if (tables.size() > most) refuse(list, fmt::format("{} guides, but at most {} are allowed", tables.size(), most));
   std::vector<GuideSpec> guides;
-  for (const Entry& table : tables) guides.push_back(read_guide(table));
+  Mistakes mistakes;
+  for (const Entry& table : tables) mistakes.keep([&] { guides.push_back(read_guide(table)); });
+  mistakes.refuse_any();
   return guides;
 }
 
@@ -165,46 +168,50 @@ PlotKind kind_of(const std::vector<Entry>& keys) {
   return kind == keys.end() ? PlotKind::points : static_cast<PlotKind>(as_one_of(*kind, kinds));
 }
 
+void read_key(const Entry& entry, PlotSpec& spec) {
+  if (entry.name == "kind") return;
+  if (entry.name == "name")
+    spec.name = as_name(entry);
+  else if (entry.name == "x" && spec.kind == PlotKind::trajectories)
+    spec.by_phase = as_one_of(entry, film_axes) == 1;
+  else if (entry.name == "x")
+    spec.x = as_expression<Formula>(entry);
+  else if (entry.name == "y")
+    spec.y = as_expression<Formula>(entry);
+  else if (entry.name == "y_error")
+    spec.y_error = as_expression<Formula>(entry);
+  else if (entry.name == "x_label")
+    spec.x_label = as_string(entry);
+  else if (entry.name == "y_label")
+    spec.y_label = as_string(entry);
+  else if (entry.name == "x_scale")
+    spec.x_log = as_one_of(entry, scales) == 1;
+  else if (entry.name == "y_scale")
+    spec.y_log = as_one_of(entry, scales) == 1;
+  else if (entry.name == "title")
+    spec.title = as_string(entry);
+  else if (entry.name == "series")
+    spec.series = as_fields(entry);
+  else if (entry.name == "where")
+    spec.where = as_expression<Where>(entry);
+  else if (entry.name == "mean_over")
+    spec.mean_over = as_fields(entry);
+  else if (entry.name == "lines")
+    spec.lines = as_truth(entry);
+  else if (entry.name == "fit")
+    spec.fit = read_fit(entry);
+  else if (entry.name == "guides")
+    spec.guides = read_guides(entry);
+  else
+    refuse_unknown(entry, plot_keys);
+}
+
 PlotSpec read_plot(const Entry& plot, PlotSpec spec) {
   const auto keys = entries(as_table(plot), *plot.file, plot.path);
   spec.kind = kind_of(keys);
-  for (const Entry& entry : keys) {
-    if (entry.name == "kind") continue;
-    if (entry.name == "name")
-      spec.name = as_name(entry);
-    else if (entry.name == "x" && spec.kind == PlotKind::trajectories)
-      spec.by_phase = as_one_of(entry, film_axes) == 1;
-    else if (entry.name == "x")
-      spec.x = as_expression<Formula>(entry);
-    else if (entry.name == "y")
-      spec.y = as_expression<Formula>(entry);
-    else if (entry.name == "y_error")
-      spec.y_error = as_expression<Formula>(entry);
-    else if (entry.name == "x_label")
-      spec.x_label = as_string(entry);
-    else if (entry.name == "y_label")
-      spec.y_label = as_string(entry);
-    else if (entry.name == "x_scale")
-      spec.x_log = as_one_of(entry, scales) == 1;
-    else if (entry.name == "y_scale")
-      spec.y_log = as_one_of(entry, scales) == 1;
-    else if (entry.name == "title")
-      spec.title = as_string(entry);
-    else if (entry.name == "series")
-      spec.series = as_fields(entry);
-    else if (entry.name == "where")
-      spec.where = as_expression<Where>(entry);
-    else if (entry.name == "mean_over")
-      spec.mean_over = as_fields(entry);
-    else if (entry.name == "lines")
-      spec.lines = as_truth(entry);
-    else if (entry.name == "fit")
-      spec.fit = read_fit(entry);
-    else if (entry.name == "guides")
-      spec.guides = read_guides(entry);
-    else
-      refuse_unknown(entry, plot_keys);
-  }
+  Mistakes mistakes;
+  for (const Entry& entry : keys) mistakes.keep([&] { read_key(entry, spec); });
+  mistakes.refuse_any();
   require_drawable(spec, plot);
   if (!spec.y_error.empty() && !spec.mean_over.empty())
     refuse(plot, "'y_error' and 'mean_over' conflict: the bars of means are standard deviations");
@@ -229,12 +236,15 @@ std::vector<PlotSpec> read_plots(const Entry& plot, const PlotSpec& usual) {
   if (tables.empty() || tables.size() > max_plots) refuse(plot, fmt::format("1 to {} plots are allowed", max_plots));
   std::vector<PlotSpec> plots;
   std::set<std::string> names;
-  for (const Entry& table : tables) {
+  Mistakes mistakes;
+  const auto read = [&](const Entry& table) {
     plots.push_back(read_plot(table, usual));
-    if (names.insert(plots.back().name).second) continue;
+    if (names.insert(plots.back().name).second) return;
     refuse(table, plots.back().name.empty() ? "only one plot may be without a name"
                                             : fmt::format("there is another plot '{}'", plots.back().name));
-  }
+  };
+  for (const Entry& table : tables) mistakes.keep([&] { read(table); });
+  mistakes.refuse_any();
   const auto main = std::ranges::find(plots, "", &PlotSpec::name);
   if (main != plots.end()) std::rotate(plots.begin(), main, main + 1);
   return plots;

@@ -8,7 +8,7 @@ namespace {
 
 bool is_enumeration(const ParameterGrid::Member& member) { return !enumerators(member.field->type).empty(); }
 
-using Values = std::vector<double>;  ///< a value for each member of a group
+using Values = std::vector<AnyNumber>;  ///< a value for each member of a group
 
 /// Values of a group: with enumerations all different ones, other numbers as 0 or 1; else the largest of each member.
 std::set<Values> representative_values(const ParameterGrid::Group& group) {
@@ -22,7 +22,7 @@ std::set<Values> representative_values(const ParameterGrid::Group& group) {
   for (std::uint64_t k = 0; k < group.front().axis.size(); ++k) {
     Values values;
     for (const ParameterGrid::Member& member : group)
-      values.push_back(is_enumeration(member) || member.axis[k] <= 0.0 ? member.axis[k] : 1.0);
+      values.push_back(is_enumeration(member) || member.axis[k] <= 0 ? member.axis[k] : 1);
     distinct.insert(std::move(values));
   }
   return distinct;
@@ -37,7 +37,7 @@ std::vector<Parameters> representative_tuples(const Parameters& base, const std:
     for (const Values& values : representative_values(group))
       for (const Parameters& tuple : tuples) {
         more.push_back(tuple);
-        for (std::size_t i = 0; i < group.size(); ++i) set_number(*group[i].field, more.back(), values[i]);
+        for (std::size_t i = 0; i < group.size(); ++i) set_exact_number(*group[i].field, more.back(), values[i]);
       }
     tuples = std::move(more);
   }

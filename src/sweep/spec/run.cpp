@@ -1,5 +1,6 @@
 #include <array>
 
+#include "sweep/spec/mistakes.hpp"
 #include "sweep/spec/tables.hpp"
 
 namespace sigmasweep::spec {
@@ -12,7 +13,8 @@ constexpr std::array<std::string_view, 3> managers{"auto", "computes", "dedicate
 
 RunSpec read_run(const Entry& run) {
   RunSpec spec;
-  for (const Entry& entry : entries(as_table(run), *run.file, run.path)) {
+  Mistakes mistakes;
+  const auto read = [&](const Entry& entry) {
     if (entry.name == "manager") {
       spec.manager = static_cast<ManagerRole>(as_one_of(entry, managers));
     } else if (entry.name == "tuple_time_limit") {
@@ -21,7 +23,9 @@ RunSpec read_run(const Entry& run) {
     } else {
       refuse_unknown(entry, keys);
     }
-  }
+  };
+  for (const Entry& entry : entries(as_table(run), *run.file, run.path)) mistakes.keep([&] { read(entry); });
+  mistakes.refuse_any();
   return spec;
 }
 

@@ -9,6 +9,7 @@
 #include "sweep/calibration_cache.hpp"
 #include "sweep/expression/where.hpp"
 #include "sweep/spec/check.hpp"
+#include "sweep/spec/mistakes.hpp"
 #include "sweep/spec/representatives.hpp"
 #include "sweep/spec/tables.hpp"
 #include "sweep/spec/values.hpp"
@@ -27,12 +28,11 @@ constexpr std::uint64_t max_filtered_slowly = std::uint64_t{1} << 17;
 /// Keys of [sweep] that are not parameters.
 constexpr std::array<std::string_view, 2> other_keys{"zip", "where"};
 
-void require_known(const std::vector<Entry>& keys) {
+void require_known(const Entry& key) {
   std::vector<std::string_view> known;
   for (const Field& field : parameter_fields()) known.push_back(field.name);
   known.insert(known.end(), other_keys.begin(), other_keys.end());
-  for (const Entry& key : keys)
-    if (std::find(known.begin(), known.end(), key.name) == known.end()) refuse_unknown(key, known);
+  if (std::find(known.begin(), known.end(), key.name) == known.end()) refuse_unknown(key, known);
 }
 
 std::vector<Zip> read_zips(const Entry& entry) {
@@ -52,16 +52,19 @@ std::vector<Zip> read_zips(const Entry& entry) {
   return zips;
 }
 
-std::vector<Setting> read_settings(const std::vector<Entry>& keys, const std::vector<Zip>& zips) {
+/// The parameters among the keys. Keeps the mistakes of all keys that are neither zip nor where.
+std::vector<Setting> read_settings(const std::vector<Entry>& keys, const std::vector<Zip>& zips, Mistakes& mistakes) {
   std::vector<Setting> settings;
   std::map<const Zip*, std::size_t> sobol_axes;  // zipped Sobol axes are dimensions of one sequence
-  for (const Entry& key : keys) {
+  const auto read = [&](const Entry& key) {
+    require_known(key);
     const ParameterField* field = find_parameter(key.name);
-    if (field == nullptr) continue;
+    if (field == nullptr) return;
     const Zip* zip = zip_of(zips, key.name);
     settings.push_back(read_setting(key, *field, zip ? sobol_axes[zip] : 0));
     if (settings.back().is_sobol) ++sobol_axes[zip];
-  }
+  };
+  for (const Entry& key : keys) mistakes.keep([&] { read(key); });
   return settings;
 }
 
@@ -109,68 +112,98 @@ Parameters base_of(const std::vector<Setting>& settings) {
   if (integrator && integrator->axis.bounds().second > 0.0 && find(settings, "tolerance"))
     base.steps_per_tc = 0.0;  // the step is chosen for the tolerance, unless steps_per_tc is given
   static_assert(static_cast<int>(Integrator::exact) == 0);
-  for (const Setting& setting : settings) set_number(*setting.field, base, setting.axis[0]);
+  for (const Setting& setting : settings) set_exact_number(*setting.field, base, setting.axis[0]);
   return base;
 }
 
-Selection select(const Entry& entry, const std::vector<Setting>& settings, const ParameterGrid& product) {
-  const std::string expression = as_string(entry);
+ParameterWhere condition_of(const Entry& entry) {
   try {
-    ParameterWhere where(expression, fields_of_parameters());
-    const std::uint64_t most = product.contacts().is_slow()
-                                   ? max_filtered_slowly
-                                   : max_filtered * short_expression / std::max(short_expression, expression.size());
-    if (product.size() > most)
-      refuse(entry, fmt::format("the axes multiply to {} tuples, with a 'where' of this length at most {} are allowed",
-                                product.size(), most));
-    Selection selection;
-    for (std::uint64_t i = 0; i < product.size(); ++i) {
-      const Parameters tuple = product.at(i);
-      const bool chosen = where(tuple);
-      if (chosen) require_soft_lattice(settings, tuple);
-      selection.push(chosen);
-    }
-    if (selection.size() == 0) refuse_value(entry, "no tuple satisfies it");
-    return selection;
+    return {as_string(entry), fields_of_parameters()};
   } catch (const UsageError& error) {
     refuse_value(entry, error.what());
   }
 }
 
-}  // namespace
-
-Grid read_sweep(const Entry& sweep) {
-  const auto keys = entries(as_table(sweep), *sweep.file, sweep.path);
-  require_known(keys);
-  const Entry *zip = nullptr, *where = nullptr;
-  for (const Entry& key : keys) {
-    if (key.name == "zip") zip = &key;
-    if (key.name == "where") where = &key;
+Selection select(const Entry& entry, const std::vector<Setting>& settings, const ParameterGrid& product) {
+  ParameterWhere where = condition_of(entry);
+  const std::size_t length = as_string(entry).size();
+  const std::uint64_t most = product.contacts().is_slow()
+                                 ? max_filtered_slowly
+                                 : max_filtered * short_expression / std::max(short_expression, length);
+  if (product.size() > most)
+    refuse(entry, fmt::format("the axes multiply to {} tuples, with a 'where' of this length at most {} are allowed",
+                              product.size(), most));
+  Selection selection;
+  for (std::uint64_t i = 0; i < product.size(); ++i) {
+    const Parameters tuple = product.at(i);
+    const bool chosen = where(tuple);
+    if (chosen) require_soft_lattice(settings, tuple);
+    selection.push(chosen);
   }
-  const std::vector<Zip> zips = zip ? read_zips(*zip) : std::vector<Zip>{};
-  const std::vector<Setting> settings = read_settings(keys, zips);
-  if (zip) require_zippable(*zip, zips, settings);
-  const Parameters base = base_of(settings);
-  auto groups = groups_of(settings, zips);
-  const std::vector<Parameters> tuples = representative_tuples(base, groups);
+  if (selection.size() == 0) refuse_value(entry, "no tuple satisfies it");
+  return selection;
+}
+
+/// What [sweep] has, each key read by itself.
+struct Contents {
+  std::vector<Setting> settings;
+  std::vector<Zip> zips;
+  std::optional<Entry> zip, where;
+};
+
+Contents read_contents(const std::vector<Entry>& keys) {
+  Contents contents;
+  for (const Entry& key : keys) {
+    if (key.name == "zip") contents.zip = key;
+    if (key.name == "where") contents.where = key;
+  }
+  Mistakes mistakes;
+  if (contents.zip) mistakes.keep([&] { contents.zips = read_zips(*contents.zip); });
+  contents.settings = read_settings(keys, contents.zips, mistakes);
+  if (contents.where) mistakes.keep([&] { condition_of(*contents.where); });
+  mistakes.refuse_any();
+  return contents;
+}
+
+/// Checks the settings together. A check that relies on others comes after these.
+void require_consistent(const Entry& sweep, const Contents& contents, const Parameters& base,
+                        const std::vector<ParameterGrid::Group>& groups, const std::vector<Parameters>& tuples) {
+  const auto& [settings, zips, zip, where] = contents;
   if (!where)
     for (const Parameters& tuple : tuples) require_soft_lattice(settings, tuple);
   require_one_way(settings);
   require_complete(sweep, settings, tuples);
   require_used(settings, tuples);
-  require_diameters(settings, zips, base);
-  require_lattice(settings, zips, base);
-  require_plate(settings, zips, base);
-  require_finite_gap(settings, base);
-  require_countable(sweep, groups);
+  Mistakes mistakes;
+  mistakes.keep([&] { require_diameters(settings, zips, base); });
+  mistakes.keep([&] { require_lattice(settings, zips, base); });
+  mistakes.keep([&] { require_plate(settings, zips, base); });
+  mistakes.keep([&] { require_finite_gap(settings, base); });
+  mistakes.keep([&] { require_countable(sweep, groups); });
+  mistakes.refuse_any();
+}
 
+}  // namespace
+
+std::optional<Grid> read_sweep(const Entry& sweep, bool keys_alone) {
+  const auto keys = entries(as_table(sweep), *sweep.file, sweep.path);
+  const Contents contents = read_contents(keys);
+  if (keys_alone) return std::nullopt;
+  const auto& [settings, zips, zip, where] = contents;
+  if (zip) require_zippable(*zip, zips, settings);
+  const Parameters base = base_of(settings);
+  auto groups = groups_of(settings, zips);
+  const std::vector<Parameters> tuples = representative_tuples(base, groups);
+  require_consistent(sweep, contents, base, groups, tuples);
   Grid grid{ParameterGrid(base, find(settings, "sigma") ? GapParameter::sigma : GapParameter::s0, std::move(groups)),
+            {},
             {},
             {},
             tuples,
             {}};
   require_pairs(settings, grid.product);
   for (const Setting& setting : settings) {
+    grid.given.push_back(setting.field);
     if (!setting.is_axis) continue;
     grid.axes.push_back(setting.field);
     grid.axis_sizes.push_back(setting.axis.size());

@@ -6,6 +6,7 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sweep/expression/where.hpp"
+#include "sweep/spec/mistakes.hpp"
 #include "sweep/spec/tables.hpp"
 
 namespace sigmasweep::spec {
@@ -58,23 +59,36 @@ void require_room(const Entry& table, const TrajectorySpec& spec, const Sweep& s
                                 spec.samples, p.N, row, max_values));
 }
 
+struct Keys {
+  TrajectorySpec spec;  ///< without its rows
+  std::optional<Entry> where;
+};
+
+Keys read_keys(const Entry& table) {
+  Keys read;
+  Mistakes mistakes;
+  for (const Entry& entry : entries(as_table(table), *table.file, table.path))
+    mistakes.keep([&] {
+      if (entry.name == "samples")
+        read.spec.samples = as_count(entry, 2, max_samples);
+      else if (entry.name == "duration")
+        read.spec.duration = as_duration(entry);
+      else if (entry.name == "where")
+        as_condition(*(read.where = entry));
+      else
+        refuse_unknown(entry, keys);
+    });
+  mistakes.refuse_any();
+  return read;
+}
+
 }  // namespace
 
+void require_trajectory_keys(const Entry& table) { read_keys(table); }
+
 TrajectorySpec read_trajectory(const Entry& table, const Sweep& sweep) {
-  TrajectorySpec spec;
-  const std::vector<Entry> all = entries(as_table(table), *table.file, table.path);
-  const Entry* where = nullptr;
-  for (const Entry& entry : all) {
-    if (entry.name == "samples")
-      spec.samples = as_count(entry, 2, max_samples);
-    else if (entry.name == "duration")
-      spec.duration = as_duration(entry);
-    else if (entry.name == "where")
-      where = &entry;
-    else
-      refuse_unknown(entry, keys);
-  }
-  spec.rows = chosen_rows(table, where, sweep);
+  auto [spec, where] = read_keys(table);
+  spec.rows = chosen_rows(table, where ? &*where : nullptr, sweep);
   require_room(table, spec, sweep);
   return spec;
 }

@@ -22,8 +22,12 @@ std::array<double, 2> ends(const std::vector<Setting>& settings, std::string_vie
   const Setting* setting = find(settings, name);
   if (!setting) return {otherwise, otherwise};
   const auto [low, high] = setting->axis.bounds();
-  return {low, high};
+  return {static_cast<double>(low), static_cast<double>(high)};
 }
+
+double value_of(const Setting& setting, std::uint64_t k) { return static_cast<double>(setting.axis[k]); }
+
+double largest(const Setting& setting) { return static_cast<double>(setting.axis.bounds().second); }
 
 /// The one of s0 and sigma that is given; s0 if neither is, as may be with a plate.
 const ParameterField& gap_of(const std::vector<Setting>& settings) {
@@ -47,7 +51,7 @@ ParameterGrid::Group extremes(const ParameterGrid::Group& group) {
     }
   ParameterGrid::Group few;
   for (const ParameterGrid::Member& member : group) {
-    std::vector<double> values;
+    std::vector<AnyNumber> values;
     for (const std::uint64_t k : places) values.push_back(member.axis[k]);
     few.push_back({member.field, Axis::list(std::move(values))});
   }
@@ -88,21 +92,21 @@ void require_diameters(const std::vector<Setting>& settings, const std::vector<Z
   };
   if (const Zip* zip = zip_of(zips, "width"); d && zip && zip == zip_of(zips, "d")) {
     const std::uint64_t last = width->axis.size() - 1;
-    for (std::uint64_t k = 0; k < std::min(last, max_linear_pairs); ++k) check(width->axis[k], d->axis[k]);
-    return check(width->axis[last], d->axis[last]);
+    for (std::uint64_t k = 0; k < std::min(last, max_linear_pairs); ++k) check(value_of(*width, k), value_of(*d, k));
+    return check(value_of(*width, last), value_of(*d, last));
   }
   Parameters beads = base;
   double smallest = ends(settings, "d", base.d)[0];
   if (const Setting* material = find(settings, "material")) {
     smallest = 1e300;
     for (std::uint64_t k = 0; k < material->axis.size(); ++k) {
-      set_number(*material->field, beads, material->axis[k]);
+      set_exact_number(*material->field, beads, material->axis[k]);
       beads.law = Law::hooke;  // the diameter does not depend on the law
       derive_material(beads);
       smallest = std::min(smallest, beads.d);
     }
   }
-  check(width->axis.bounds().second, smallest);
+  check(largest(*width), smallest);
 }
 
 void require_lattice(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base) {
@@ -118,9 +122,9 @@ void require_lattice(const std::vector<Setting>& settings, const std::vector<Zip
   };
   if (const Zip* zip = zip_of(zips, "rows"); columns && zip && zip == zip_of(zips, "columns"))
     for (std::uint64_t k = 0; k < std::min(rows->axis.size(), max_linear_pairs); ++k)
-      check(rows->axis[k], columns->axis[k]);
+      check(value_of(*rows, k), value_of(*columns, k));
   else
-    check(rows->axis.bounds().second, ends(settings, "columns", static_cast<double>(base.columns))[1]);
+    check(largest(*rows), ends(settings, "columns", static_cast<double>(base.columns))[1]);
 }
 
 void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base) {
@@ -148,7 +152,7 @@ void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>&
   };
   if (const Zip* zip = zip_of(zips, "periods"); transient && zip && zip == zip_of(zips, "transient"))
     for (std::uint64_t k = 0; k < std::min(periods->axis.size(), max_linear_pairs); ++k)
-      check(periods->axis[k], transient->axis[k]);
+      check(value_of(*periods, k), value_of(*transient, k));
   else
     check(ends(settings, "periods", static_cast<double>(base.periods))[0],
           ends(settings, "transient", static_cast<double>(base.transient))[1]);
@@ -178,7 +182,7 @@ void require_pairs(const std::vector<Setting>& settings, const ParameterGrid& pr
   if (!stiffness) stiffness = find(settings, "material");
   if (!stiffness) return;
   const ParameterField& gap = gap_of(settings);
-  const bool linear = !find(settings, "law") || find(settings, "law")->axis.bounds().second == 0.0;
+  const bool linear = !find(settings, "law") || largest(*find(settings, "law")) == 0.0;
   static_assert(static_cast<int>(Law::hooke) == 0);
   const Parameters& base = product.base();
   const auto few =

@@ -45,7 +45,7 @@ TEST(Ways, StiffnessAndDampingAreGivenOnce) {
   expect_part(wrong("D_n = 1"), "'K_over_m' is missing");
   expect_part(wrong("epsilon = 0.9"), "'tc' is missing");
   expect_part(wrong("tc = 1e-5"), "'epsilon' is missing");
-  expect_part(wrong(""), "'tc' is missing");
+  expect_part(wrong(""), "'tc', 'epsilon' are missing");
   EXPECT_EQ(wrong("material = [\"none\", \"steel\"]"),
             "test.toml:5: sweep.material: 'none' is the default: leave the material out");
   EXPECT_EQ(wrong("K_over_m = [1e9, 0]"), "test.toml:5: sweep.K_over_m: must be > 0");
@@ -146,7 +146,8 @@ TEST(PowerLaw, NeedsItsExponentsAndNothingElseDoes) {
   expect_part(wrong(power + "beta = 0.5"), "'gamma' is missing: law = 'power'");
   EXPECT_EQ(wrong(power + "beta = 0.5\ngamma = 0"), "accepted");
   EXPECT_EQ(wrong(contact + "law = \"hertz\"\nbeta = 0.5\ngamma = 0"),
-            "test.toml:8: sweep.beta: no tuple uses it: it needs law = 'power'");
+            "test.toml:8: sweep.beta: no tuple uses it: it needs law = 'power'\n"
+            "test.toml:9: sweep.gamma: no tuple uses it: it needs law = 'power'");
   expect_part(wrong(contact + "gamma = 0"), "sweep.gamma: no tuple uses it: it needs law = 'power'");
   EXPECT_EQ(wrong(contact + "law = [\"hertz\", \"power\"]\nbeta = [0.5, 0.6]\ngamma = 0"), "accepted");
   expect_part(wrong(power + "beta = 4.5\ngamma = 0"), "sweep.beta = 4.5 is not allowed");
@@ -216,12 +217,12 @@ TEST(EdRule, OnlyForHardSpheres) {
   expect_part(wrong("epsilon = 0.9\nmethod = [\"ed\", \"md\"]"), "'tc' is missing");
 }
 
-TEST(Axes, NewParametersAreColumnsWhereTheyAreAxes) {
+TEST(Axes, NewParametersAreColumnsWhereTheyAreGiven) {
   const Sweep sweep = with("K_over_m = [2e9, 3e9]\nD_n = 1\nrandom_separation = [true, false]\nseed = [1, 2]");
   std::vector<std::string> names;
   for (const Field& field : sweep.columns()) names.emplace_back(field.name);
-  names.resize(10);
-  EXPECT_EQ(names, (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "K_over_m",
+  names.resize(11);
+  EXPECT_EQ(names, (std::vector<std::string>{"v0", "tc", "s0", "sigma", "N", "epsilon", "method", "K_over_m", "D_n",
                                              "random_separation", "seed"}));
   EXPECT_EQ(sweep.axes(), (std::vector<std::string>{"K_over_m", "random_separation", "seed"}));
 }

@@ -148,9 +148,10 @@ TEST(Spec, AllFormsOfAnAxis) {
   EXPECT_EQ(values(with("sigma = { from = 1e-2, to = 1e2, count = 5, scale = \"log\" }"), "sigma"),
             (Doubles{0.01, 0.1, 1, 10, 100}));
   EXPECT_EQ(values(with("sigma = { sample = \"sobol\", from = 0, to = 1, count = 3 }"), "sigma"),
-            (Doubles{0.5, 0.75, 0.25}));
+            (Doubles{0, 0.5, 0.75}));
   const Sweep log = with("sigma = { sample = \"sobol\", from = 0.01, to = 100, count = 3, scale = \"log\" }");
-  EXPECT_EQ(values(log, "sigma")[0], 1.0);
+  EXPECT_EQ(values(log, "sigma")[0], 0.01);
+  EXPECT_EQ(values(log, "sigma")[1], 1.0);
   for (const char* kind : {"uniform", "log-uniform", "sobol", "latin-hypercube"}) {
     const std::string form = std::string("{ sample = \"") + kind + "\", from = 0.1, to = 10, count = 50, seed = ";
     const Doubles one = values(with("sigma = " + form + "1 }"), "sigma");
@@ -175,15 +176,15 @@ TEST(Spec, ZippedSobolAxesAreDimensionsOfOneSequence) {
   const Sweep sweep = Sweep::parse(R"toml([sweep]
 N = 10
 tc = 1e-4
-v0      = { sample = "sobol", from = 1, to = 3, count = 3 }
-sigma   = { sample = "sobol", from = 0, to = 1, count = 3 }
-epsilon = { sample = "sobol", from = 0.5, to = 1, count = 3 }
+v0      = { sample = "sobol", from = 1, to = 3, count = 4 }
+sigma   = { sample = "sobol", from = 0, to = 1, count = 4 }
+epsilon = { sample = "sobol", from = 0.5, to = 1, count = 4 }
 zip = [["v0", "sigma", "epsilon"]]
 )toml",
                                    "test.toml");
-  EXPECT_EQ(values(sweep, "v0"), (Doubles{2, 2.5, 1.5}));
-  EXPECT_EQ(values(sweep, "sigma"), (Doubles{0.5, 0.25, 0.75}));
-  EXPECT_EQ(values(sweep, "epsilon"), (Doubles{0.75, 0.625, 0.875}));
+  EXPECT_EQ(values(sweep, "v0"), (Doubles{1, 2, 2.5, 1.5}));
+  EXPECT_EQ(values(sweep, "sigma"), (Doubles{0, 0.5, 0.25, 0.75}));
+  EXPECT_EQ(values(sweep, "epsilon"), (Doubles{0.5, 0.75, 0.625, 0.875}));
 }
 
 TEST(Spec, WholeNumbers) {
@@ -192,8 +193,22 @@ TEST(Spec, WholeNumbers) {
   };
   EXPECT_EQ(beads("[1, 2, 5]"), (Doubles{1, 2, 5}));
   EXPECT_EQ(beads("1e2"), Doubles{100});
+  EXPECT_EQ(beads("[61.0, +2]"), (Doubles{61, 2}));
+  EXPECT_EQ(beads("{ from = 1.0, to = 3e0, count = 3.0 }"), (Doubles{1, 2, 3}));
   EXPECT_EQ(beads("{ from = 10, to = 50, count = 5 }"), (Doubles{10, 20, 30, 40, 50}));
   EXPECT_EQ(beads("{ from = 1, to = 10, count = 10, scale = \"log\" }"), (Doubles{1, 2, 3, 4, 5, 6, 8, 10}));
+}
+
+TEST(Spec, SeedsHave64Bits) {
+  const Sweep seeds = sweep(
+      "v0 = 1\ntc = 1e-4\nepsilon = 0.9\nN = 3\nwidth = 1e-4\nsigma = 0\n"
+      "seed = [9007199254740991, 9007199254740992, 9007199254740993, 9223372036854775807]");
+  EXPECT_EQ(seeds.at(0).seed, 9007199254740991);
+  EXPECT_EQ(seeds.at(2).seed, 9007199254740993);
+  EXPECT_EQ(seeds.at(3).seed, INT64_MAX);
+  std::set<std::uint64_t> keys;
+  for (std::uint64_t k = 0; k < seeds.size(); ++k) keys.insert(content_key(seeds.at(k)));
+  EXPECT_EQ(keys.size(), 4u);
 }
 
 TEST(Spec, WhereKeepsTheOrder) {
@@ -246,15 +261,16 @@ epsilon = 0.9
   EXPECT_EQ(sweep.at(sweep.size() - 1).sigma, 1024.0);
 }
 
-TEST(Spec, ColumnsAreFixedPlusAxesPlusResults) {
+TEST(Spec, ColumnsAreWhatIsGivenPlusResults) {
   const auto names = [](const Sweep& sweep) {
     std::vector<std::string> all;
     for (const Field& field : sweep.columns()) all.emplace_back(field.name);
     return all;
   };
   auto expected = golden::table_of(Geometry::column);
-  EXPECT_EQ(names(with("sigma = 1\nwall = \"matched\"")), expected);
+  EXPECT_EQ(names(with("sigma = 1")), expected);
   expected.insert(expected.begin() + 7, {"wall", "tolerance"});
+  EXPECT_EQ(names(with("sigma = 1\ntolerance = 1e-8\nwall = \"matched\"")), expected);
   EXPECT_EQ(names(with("sigma = 1\ntolerance = [1e-8, 1e-10]\nwall = [\"paper\", \"matched\"]")), expected);
 }
 
