@@ -83,7 +83,7 @@ class Table(unittest.TestCase):
         sweep = Sweep(lattice + "integrator = \"gear5\"\nsteps_per_tc = [4, 10, 100]\n")
         ended = sigmasweep("stability", sweep.spec, cwd=sweep.path)
         self.assertEqual(ended.returncode, 0, ended)
-        self.assertIn("0 unstable that were predicted to be stable", ended.stdout)
+        self.assertIn("0 unstable, but predicted to be stable", ended.stdout)
         self.assertIn("predicted to be unstable", sigmasweep("plan", sweep.spec).stderr)
         study = Sweep(lattice + "[precision]\nsteps_per_tc = [100]\ntolerances = [1e-7]\ntuples = 4\nchecks = 2\n")
         ended = sigmasweep("precision", study.spec, cwd=study.path)

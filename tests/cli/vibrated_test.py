@@ -155,7 +155,7 @@ class Run(unittest.TestCase):
             plate + "integrator = 'gear5'\nsteps_per_tc = [3, 5, 100]\n")
         ended = sigmasweep("stability", "s.toml", cwd=self.sweep.path)
         self.assertEqual(ended.returncode, 0, ended)
-        self.assertIn("0 unstable that were predicted to be stable", ended.stdout)
+        self.assertIn("0 unstable, but predicted to be stable", ended.stdout)
         with h5py.File(self.sweep.spec.with_name("s.h5")) as file:
             self.assertTrue((file["results"]["predicted_growth"] > 0).all())
 
