@@ -43,7 +43,7 @@ std::vector<Real> gaps(const Parameters& p, const Real& gap) {
   return gaps;
 }
 
-/// damping() takes milliseconds, and a sweep has few laws and restitutions, each many times over.
+/// Remembers damping(), which takes milliseconds: a sweep asks for few values, many times.
 double known_damping(Exponents e, double k, double eps) {
   constexpr std::size_t most = 256;
   thread_local std::map<std::array<double, 3>, double> known;
@@ -61,9 +61,9 @@ PairLaw reduced_pair(const Parameters& p, Exponents e) {
   return {e, k, b};
 }
 
-/// Springs and dashpots over the bead mass m: with m_red = m/2 and m_ij = m a pair has K/m = k/2 and D_n = b/2; for the
-/// linear law k = omega0^2 and b = 2 mu, Eqs. (3), (5), straight from K_over_m and D_n where these are given: (tc,
-/// epsilon) know nothing of pairs that do not oscillate.
+/// Springs and dashpots over the bead mass m: K/m = k/2 and D_n = b/2, as m_red = m/2 and m_ij = m for a pair of equal
+/// beads. For the linear law k = omega0^2 and b = 2 mu, Eqs. (3), (5). Overdamped pairs have no tc and epsilon, so
+/// K_over_m and D_n are used directly where they are given.
 template <class Real>
 struct Stiffness {
   Real K, C;

@@ -1,4 +1,4 @@
-#include "assembly/column.hpp"
+#include "assembly/energies.hpp"
 
 #include <cmath>
 #include <numeric>

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assembly/column.hpp"
+#include "assembly/energies.hpp"
 #include "contact/contact_law.hpp"
 
 namespace sigmasweep {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "assembly/column.hpp"
+#include "assembly/energies.hpp"
 #include "base/vec2.hpp"
 #include "sigmasweep/model/parameters.hpp"
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "assembly/column.hpp"
+#include "assembly/energies.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/model/result.hpp"
 #include "solve/outcome.hpp"

@@ -9,17 +9,17 @@
 /// Trajectories as H5MD 1.1 files, https://www.nongnu.org/h5md/releases/h5md-1.1.0.html, one simulation per file:
 ///
 ///     /h5md                       version [1, 1]; author, creator, modules/units (SI)
-///     /particles/beads            box (dimension 1, boundary none), mass (over the mean bead's), diameter
-///         position                height of the centre above the wall, m; of a lattice (x, height)
-///         velocity                m/s; of a lattice (horizontal, upwards)
-///         reduced_height          z_i, Eq. (9), m: the motion of the column without the digits that d takes in
-///         position;
-///                                 not of a lattice
+///     /particles/beads            box (dimension 3), mass (over the mean bead's), diameter (m)
+///         position                (x, 0, h), m: h is the height of the centre above the bottom; x is 0 for a column
+///         velocity                the same directions, m/s
+///         reduced_height          z_i, Eq. (9), m; of a column only. It has the digits that d takes in position
 ///     /observables/kinetic_energy over that at the start
 ///     /parameters                 everything that defines the collision, as attributes
-/// The box of a lattice has dimension 2, boundary [periodic or none, none] and edges: the container's width, and the
-/// largest height that a bead reaches. Its horizontal positions are those of any image, as H5MD allows.
-/// All time-dependent elements share one step (the sample's number) and one time (s from the start).
+/// The box of a column has the boundary none in all directions, that of a lattice may be periodic in x. A lattice's box
+/// has edges, an element that does not change: the container's width, the largest diameter, the largest height that a
+/// bead reaches. Horizontal positions are those of any image, as H5MD allows.
+/// All time-dependent elements share one step (the sample's number) and one time (s from the start). Their units are
+/// attributes of the elements, `unit` and `time_unit`.
 namespace sigmasweep {
 
 /// Writes the trajectory of `tuple`. Made in memory, written to PATH.part, synced, renamed: PATH is complete or as it

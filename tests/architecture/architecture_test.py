@@ -84,7 +84,7 @@ class Headers(unittest.TestCase):
 
     def test_functions_are_defined_in_the_source_of_their_headers_name(self):
         elsewhere = []
-        sources = {path.removesuffix(".in"): tree.plain(tree.read(path)) for path in tree.files(".cpp", ".hpp", ".in")}
+        sources = {path.removesuffix(".in"): tree.plain(tree.read(path)).replace("= {}", "") for path in tree.files(".cpp", ".hpp", ".in")}
         for header in set(tree.files(".hpp")) - FUNCTIONS_ELSEWHERE:
             stem = re.sub(r"^(include/sigmasweep|src)/|\.hpp$", "", header)
             # Code that is compiled once a number type stands in several files: stem.hpp, stem_impl.hpp, stem_double.cpp.

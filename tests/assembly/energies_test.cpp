@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "assembly/column.hpp"
+#include "assembly/energies.hpp"
 #include "support/random.hpp"
 
 namespace {

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/assembly/validity.hpp"

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "assembly/energies.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"

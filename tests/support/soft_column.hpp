@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/column.hpp"
+#include "assembly/energies.hpp"
 #include "solve/outcome.hpp"
 #include "support/parameters.hpp"
 

@@ -21,8 +21,8 @@ namespace sigmasweep {
 /// Hands out the tasks of a schedule, largest first, and takes back their answers.
 ///
 /// A worker whose chunk is short has the next chunk waiting beside it, so that it never waits for the manager. Behind a
-/// long chunk (prefetch_seconds) nothing waits: the manager's reply takes no time against it, and a second long chunk
-/// in the same queue would leave the other ranks idle at the end.
+/// long chunk (prefetch_seconds) nothing waits: compared with it the manager's reply is instant, and a second long
+/// chunk in the same queue would leave the other ranks idle at the end.
 class Manager {
  public:
   Manager(const World& world, Schedule& schedule, const ByteJob& job);

@@ -110,8 +110,8 @@ void set_ranges(Figure& figure, const PlotSpec& spec) {
   y.set_axis();
 }
 
-/// One symbol for each cell of about a symbol's size, of the curve that has the fewest so far, as curves and their
-/// points. Curves that fall on one line all stay visible by them. `shared`: only cells that several curves share.
+/// Symbols of each curve, one for a cell of about a symbol's size. The curve with the fewest symbols so far gets the
+/// cell, so that curves on one line all stay visible. `shared`: only cells that several curves share.
 std::vector<std::vector<Point>> one_a_cell(const Figure& figure, bool shared) {
   constexpr double columns = 110.0, lines = 75.0;
   std::map<std::pair<long, long>, std::map<std::size_t, Point>> cells;

@@ -20,8 +20,9 @@ namespace sigmasweep {
 /// wall) to N-1. The state is the overlaps x and their rates u = x', not positions: an overlap of 1e-12 keeps all its
 /// digits whatever the column's length. Beads without a closed contact fly freely: their gaps are brought up to date
 /// only when somebody asks. Each group of closed contacts, with the open gaps beside them, runs on its own clock from
-/// step to step; whichever group or gap has the earliest event is next. Motions: the column's own, and linearised
-/// disturbances that are carried along.
+/// step to step; whichever group or gap has the earliest event is next. The time of an event is found by the group that
+/// makes the step: for the linear law see linear/taylor_group.hpp and numerics/first_root.hpp. Motions: the column's
+/// own, and linearised disturbances that are carried along.
 ///
 /// The Solver, which derives from this class, moves the groups. It must have (check_contract() refuses others):
 ///     std::unique_ptr<Group> new_group()              an empty one, with members lo, hi and start

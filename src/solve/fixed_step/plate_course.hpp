@@ -57,8 +57,8 @@ class PlateCourse {
   }
 
   /// At the end of a period tells the observer of its energies. Energy that neither the plate brought nor the contacts
-  /// left, or that is beyond all numbers, shows that the scheme is unstable: half of what the plate exchanges with the
-  /// beads' weight on its path. Stable steps stay far below.
+  /// left shows that the scheme is unstable. The limit is half of the weight of the beads times the path of the plate;
+  /// stable steps stay far below, and an infinite energy is above.
   template <class System, class Observer>
   Verdict after_step(const System& system, Observer& observer, double now, bool is_on) {
     if (now < period_) return {};

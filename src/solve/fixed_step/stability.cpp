@@ -25,8 +25,8 @@ double row_sum(const Column<double>& column, std::size_t i, double (Column<doubl
   return sum;
 }
 
-/// Spring and dashpot, for K = 1 and C = 1, of a small motion by F = K x^(1+beta) + C x^gamma x' about the overlap x of
-/// a mean bead at the wall with m v^2/2 = K x^(2+beta)/(2+beta).
+/// The linearised force F = K x^(1+beta) + C x^gamma x', for K = 1 and C = 1, at the largest overlap of a mean bead
+/// that hits the wall at the column's speed v without damping: m v^2/2 = K x^(2+beta)/(2+beta).
 Mode about_overlap(const Column<double>& column) {
   const double beta = column.exponents.beta;
   const double x = std::pow((2.0 + beta) * column.speed * column.speed / (2.0 * column.K_wall), 1.0 / (2.0 + beta));

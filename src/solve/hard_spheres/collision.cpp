@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "assembly/energies.hpp"
 #include "numerics/noise.hpp"
 #include "sigmasweep/contact/calibration.hpp"
 #include "solve/hard_spheres/column.hpp"

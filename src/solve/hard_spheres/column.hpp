@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "assembly/column.hpp"
+#include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "numerics/tournament.hpp"
 #include "solve/hard_spheres/cluster.hpp"

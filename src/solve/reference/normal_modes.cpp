@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "assembly/energies.hpp"
 #include "solve/reference/damped_modes.hpp"
 #include "solve/stop_logic.hpp"
 

@@ -18,7 +18,7 @@ namespace sigmasweep {
 /// the timing fields: one-dimensional compounds without padding, enumerations with their names. The unit and meaning of
 /// member X are the dataset's attributes unit:X and meaning:X; its attribute checksum is the sum, modulo 2^64, of
 /// XXH3_64bits of each row's bytes, seeded with the row's place in the table, and of the text that describes the
-/// members (src/store/table_checksum.hpp).
+/// members (src/store/table/checksum.hpp).
 ///
 /// Goes to PATH.part, space set aside up front, read back and compared by checksum, sealed with a checksum of the whole
 /// file behind its end, synced, then renamed: PATH is complete or as it was before. Every rank returns or every rank

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <random>
 
+#include "assembly/energies.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"

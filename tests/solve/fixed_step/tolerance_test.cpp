@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"

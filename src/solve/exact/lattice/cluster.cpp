@@ -100,7 +100,7 @@ void LatticeCluster<Real, Ground>::slopes(const State& y, State& dy, const Real&
   if constexpr (Ground::moves) works_of_plate(dy, at);
 }
 
-/// And its load. What the contacts lose: F less its elastic part, and the tangential force.
+/// Adds the load of the plate, its power, and the power that normal dashpots and tangential forces dissipate.
 template <class Real, class Ground>
 void LatticeCluster<Real, Ground>::works_of_plate(State& dy, const Real& at) requires(Ground::moves) {
   const std::size_t count = contacts_.size(), n = beads_.size();

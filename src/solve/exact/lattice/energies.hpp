@@ -15,11 +15,11 @@ class LatticeEnergies {
   Real energy_at_start() const;
   /// Energy that pairs which approach, with nothing in touch, can lose: the sum of 1/2 m_red u^2.
   Real approach(const Real& t) const;
-  /// Energy that pairs which touch can lose: overdamped ones creep back for ever.
+  /// Energy that touching pairs can still lose. Overdamped pairs never quite open.
   Real held(const Real& t) const;
   /// Change of eps_eff = sqrt(E/E_0) by a loss of energy.
   Real later_change(const Real& loss, const Real& t) const;
-  /// As energy_on_plate() of a column; gravity's is 0 for beads on their sites.
+  /// Energy on the plate, see energy_on_plate(). Potential energy counts from the initial sites.
   double energy(const Real& t) const requires(Ground::moves);
 
  private:

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "solve/exact/linear/column.hpp"
 #include "solve/to_si.hpp"

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "assembly/energies.hpp"
 #include "solve/exact/power_law/column.hpp"
 #include "solve/to_si.hpp"
 #include "solve/twin_runs.hpp"

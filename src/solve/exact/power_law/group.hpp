@@ -15,7 +15,7 @@
 namespace sigmasweep {
 
 /// A run of neighbouring contacts, closed ones with the open gaps beside them, moved step by step:
-///     x_k'' = F_(k-1)/m_(k-1) - F_k (1/m_(k-1) + 1/m_k) + F_(k+1)/m_k,  F of contact_force.hpp where k is closed.
+///     x_k'' = F_(k-1)/m_(k-1) - F_k (1/m_(k-1) + 1/m_k) + F_(k+1)/m_k,  F of contact_forces.hpp where k is closed.
 /// The independent variable of a step is the time or, while a contact (the leader) is near x = 0, its s = x^(1/q):
 ///     dt/ds = q s^(q-1)/u,  dx_j/ds = u_j dt/ds,  du_j/ds = a_j dt/ds,
 /// with q such that all powers of s in the leader's force are whole: in s it is smooth. See

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assembly/column.hpp"
+#include "assembly/energies.hpp"
 #include "assembly/energy_balance.hpp"
 #include "solve/fixed_step/driver.hpp"
 

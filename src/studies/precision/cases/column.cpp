@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/solve/simulate.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"

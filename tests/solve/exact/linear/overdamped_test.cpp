@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "assembly/energies.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/contact/pair_collision.hpp"
 #include "sigmasweep/contact/theory.hpp"
