@@ -1,6 +1,6 @@
 /* A library for LD_PRELOAD that makes calls fail: the FAIL_AT-th call of FAIL_CALL on a file whose path contains
-   FAIL_PATH fails with FAIL_ERRNO, and so do later calls if FAIL_ON is set. With FAIL_RANK only calls of this rank fail.
-   Calls of HDF5 fail before they do anything; FAIL_PATH must be empty for them. */
+   FAIL_PATH fails with FAIL_ERRNO, and so do later calls if FAIL_ON is set. With FAIL_RANK only calls of this rank
+   fail. Calls of HDF5 fail before they do anything; FAIL_PATH must be empty for them. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

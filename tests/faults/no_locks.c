@@ -16,14 +16,14 @@ static int no_locks(void) {
   return -1;
 }
 
-#define WITHOUT_LOCKS(name)                                            \
-  int name(int descriptor, int command, ...) {                         \
-    static int (*real)(int, int, ...);                                 \
-    if (!real) real = (int (*)(int, int, ...))dlsym(RTLD_NEXT, #name); \
-    va_list list;                                                      \
-    va_start(list, command);                                           \
-    void* argument = va_arg(list, void*);                              \
-    va_end(list);                                                      \
+#define WITHOUT_LOCKS(name)                                                     \
+  int name(int descriptor, int command, ...) {                                  \
+    static int (*real)(int, int, ...);                                          \
+    if (!real) real = (int (*)(int, int, ...))dlsym(RTLD_NEXT, #name);          \
+    va_list list;                                                               \
+    va_start(list, command);                                                    \
+    void* argument = va_arg(list, void*);                                       \
+    va_end(list);                                                               \
     return is_lock(command) ? no_locks() : real(descriptor, command, argument); \
   }
 

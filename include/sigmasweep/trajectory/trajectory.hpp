@@ -13,8 +13,9 @@ namespace sigmasweep {
 
 /// The trajectory of simulate(parameters) at `times`, s, ascending, from the start. It is computed by the same solver
 /// in double precision, without an error bar, up to the last time. The exact solver of columns and that of hard
-/// spheres are exact to rounding, except for chaotic columns; the exact solver of lattices has a local error of 1e-12. Between
-/// fixed steps positions are interpolated by a cubic, velocities linearly. Samples are NaN after the solver gave up.
+/// spheres are exact to rounding, except for chaotic columns; the exact solver of lattices has a local error of 1e-12.
+/// Between fixed steps positions are interpolated by a cubic, velocities linearly. Samples are NaN after the solver
+/// gave up.
 Trajectory record(const Parameters& parameters, std::span<const double> times);
 
 /// Duration of a trajectory that shows the whole run, s; NaN without a result. `collision` is the result of simulate().

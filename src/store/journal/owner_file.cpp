@@ -85,8 +85,9 @@ void bury(const Found& dead, const std::string& path) {
 }
 
 [[noreturn]] void refuse(const Found& found, const std::string& path, const std::string& table_path) {
-  const std::string who = found.owner ? fmt::format("process {} on {}", found.owner->process.id, found.owner->host.data())
-                                      : "another process";
+  const std::string who = found.owner
+                              ? fmt::format("process {} on {}", found.owner->process.id, found.owner->host.data())
+                              : "another process";
   throw OutputError(
       fmt::format("another run is working on {}: {} holds {}. Wait for it to end or choose another output with -o; if "
                   "it is dead, wait two minutes",
