@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "assembly/energies.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "solve/reference/damped_modes.hpp"
 #include "support/reference_values.hpp"

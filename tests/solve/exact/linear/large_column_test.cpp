@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
