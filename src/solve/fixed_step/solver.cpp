@@ -24,9 +24,9 @@ double steps_of(const Parameters& p) {
   return p.steps_per_tc > 0.0 ? p.steps_per_tc : std::clamp(0.03 / p.tolerance, 20.0, 1e6);
 }
 
-/// Free flight is not stepped through: the duration is that of the wave and of the later contacts, tc each. Of N contacts
-/// in a time sigma, N/(1 + sigma) last at the same time. The exact solution comes with it: the error is measured against
-/// that.
+/// Free flight is not stepped through: the duration is that of the wave and of the later contacts, tc each. Of N
+/// contacts in a time sigma, N/(1 + sigma) last at the same time. The exact solution comes with it: the error is
+/// measured against that.
 double seconds_of_column(const Parameters& p) {
   constexpr double wave = 1.5;  // tc a bead; t_k is about N tc
   Parameters exact = p;
