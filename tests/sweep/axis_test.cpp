@@ -28,7 +28,7 @@ TEST(Axis, LogarithmicRangeHitsItsDecades) {
   const Axis axis = Axis::range({1e-9, 1e-3, true}, 61);
   const double decades[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3};
   for (std::uint64_t i = 0; i < 7; ++i) EXPECT_EQ(axis[10 * i], decades[i]);
-  EXPECT_NEAR(axis[1] / 1e-9, 1.2589254117941673, 3e-16);  // 10^0.1
+  EXPECT_NEAR(static_cast<double>(axis[1]) / 1e-9, 1.2589254117941673, 3e-16);  // 10^0.1
   EXPECT_EQ(values(Axis::range({100.0, 1.0, true}, 3)), (std::vector{100.0, 10.0, 1.0}));
 }
 
@@ -44,7 +44,7 @@ TEST(Axis, EndPointsAreExactAndNothingLeavesThem) {
 
 TEST(Axis, ExtremeRangesStayFinite) {
   const Axis axis = Axis::range({5e-324, 1.7976931348623157e308, true}, 3);
-  EXPECT_NEAR(axis[1] / 2.998077e-8, 1.0, 1e-6);  // sqrt(5e-324 * 1.7976931e308), both as written
+  EXPECT_NEAR(static_cast<double>(axis[1]) / 2.998077e-8, 1.0, 1e-6);  // sqrt(5e-324 * 1.7976931e308), both as written
   EXPECT_EQ(axis[2], 1.7976931348623157e308);
 }
 
@@ -73,7 +73,7 @@ TEST(Axis, LongRangesCostNoMemory) {
   const Axis axis = Axis::range({0.0, 1.0}, count);
   EXPECT_EQ(axis.size(), count);
   EXPECT_EQ(axis[count - 1], 1.0);
-  EXPECT_NEAR(axis[count / 2], 0.5, 1e-12);  // the step is 9e-13
+  EXPECT_NEAR(static_cast<double>(axis[count / 2]), 0.5, 1e-12);  // the step is 9e-13
 }
 
 // Golden values from exact rational arithmetic on SplitMix64, computed independently.
@@ -85,7 +85,7 @@ TEST(Axis, UniformSamplesAreTheSameEverywhere) {
 TEST(Axis, LogUniformSamplesAreTheSameEverywhere) {
   const Axis axis = Axis::sample({0.1, 10.0, true}, 4, {SampleKind::uniform, stream_key(7, "v0")});
   const double golden[] = {0.1301885743658089, 5.088380946881539, 3.8764294128389962, 0.21541268491175072};
-  for (std::uint64_t k = 0; k < 4; ++k) EXPECT_DOUBLE_EQ(axis[k], golden[k]);
+  for (std::uint64_t k = 0; k < 4; ++k) EXPECT_DOUBLE_EQ(static_cast<double>(axis[k]), golden[k]);
 }
 
 TEST(Axis, SamplesOfWholeNumbersShareTheIntervalEvenly) {
