@@ -107,6 +107,20 @@ class Headers(unittest.TestCase):
         self.assertEqual(functions & tree.namespaces(), set(), "functions that are called as a namespace is")
 
 
+class Documents(unittest.TestCase):
+    maxDiff = None
+
+    def test_links_lead_to_files(self):
+        dead = [f"{path}: {target}" for path in tree.documents() for target in tree.linked_files(path)
+                if not (tree.ROOT / path).parent.joinpath(target).exists()]
+        self.assertEqual(dead, [])
+
+    def test_sources_that_comments_and_documents_name_exist(self):
+        lost = [f"{path}: {named}" for path in (*tree.files(".cpp", ".hpp"), *tree.documents())
+                for named in tree.named_sources(path) if not (tree.ROOT / named).exists()]
+        self.assertEqual(lost, [])
+
+
 class Sizes(unittest.TestCase):
     maxDiff = None
 

@@ -27,6 +27,23 @@ def files(*endings):
     return sorted(path.relative_to(ROOT).as_posix() for path in found if not endings or path.suffix in endings)
 
 
+def documents():
+    """Paths of README.md and the like, and of docs/, from the root of the project."""
+    return sorted(path.relative_to(ROOT).as_posix() for path in (*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")))
+
+
+def linked_files(path):
+    """The targets of a document's links and pictures that are files of the project."""
+    links = re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", read(path))
+    return [link for link in links if not re.match(r"https?:|mailto:", link)]
+
+
+def named_sources(path):
+    """The sources src/... and include/... that a text names in full, but for examples such as NAME.cpp and what diffs add."""
+    text = re.sub(r"```diff.*?```", "", read(path), flags=re.S)
+    return [name for name in re.findall(r"\b(?:src|include)/[\w/]+\.(?:cpp|hpp)\b", text) if "NAME" not in name]
+
+
 def room_of(path):
     """The room of a source: src/solve/exact/a.cpp and include/sigmasweep/solve/b.hpp are of "solve"."""
     parts = path.split("/")
