@@ -62,6 +62,7 @@ inline constexpr auto columns = std::to_array<Column>({
     {"t_k", Part::results, "CL"},
     {"x_max", Part::results, "CVLP"},
     {"predicted_growth", Part::results, ""},
+    {"steps_used", Part::results, ""},
     {"h_cm", Part::results, "VP"},
     {"h_cm_error", Part::results, "VP"},
     {"h_cm_excess", Part::results, "VP"},

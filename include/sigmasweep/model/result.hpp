@@ -62,7 +62,7 @@ struct Vibration {
 };
 
 /// The result of one tuple. A plain value of fixed size, sent and stored as it is. Where there is no result, every
-/// number but predicted_growth is NaN.
+/// number but predicted_growth and steps_used is NaN.
 struct SimulationResult {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   double eps_eff = nan;        ///< sqrt(E_f/E_0), effective restitution
@@ -75,8 +75,12 @@ struct SimulationResult {
   /// Growth of the amplitude of the least stable mode in N tc (of lattices: in rows tc) with a fixed time step, by
   /// theory (stability.hpp); well above 1 where the step is too long.
   double predicted_growth = nan;
-  Vibration vibration;         ///< of beads on a vibrating plate, which have besides it x_max and the following only
-  std::uint64_t contacts = 0;  ///< number of contacts that closed and opened again; of hard spheres, of collisions
+  double steps_used = nan;  ///< of fixed time steps: steps per tc, given or chosen for the tolerance
+  Vibration vibration;      ///< of beads on a vibrating plate, which have besides it x_max and the following only
+  /// Number of contacts that closed and opened again; of hard spheres, of collisions. A lower bound with End::settled,
+  /// as later contacts, of next to no energy, are not computed, and with Status::collapsed, as there are infinitely
+  /// many.
+  std::uint64_t contacts = 0;
   End end = End::none;
   Status status = Status::not_run;
 };

@@ -103,6 +103,9 @@ inline constexpr Condition fixed_steps{
     [](const Parameters& p) { return is_soft(p) && p.integrator != Integrator::exact; }, fixed_step_integrator.view()};
 inline constexpr Condition given_steps{[](const Parameters& p) { return fixed_steps.holds(p) && p.steps_per_tc > 0.0; },
                                        fixed_step_integrator.view()};
+inline constexpr Condition chosen_steps{
+    [](const Parameters& p) { return fixed_steps.holds(p) && !(p.steps_per_tc > 0.0); },
+    "an integrator of fixed step and a tolerance instead of steps_per_tc"};
 inline constexpr Condition tolerance{[](const Parameters& p) { return is_soft(p) && !given_steps.holds(p); },
                                      "method = 'md', with integrator = 'exact' or without steps_per_tc"};
 

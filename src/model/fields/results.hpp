@@ -32,6 +32,9 @@ inline constexpr auto table_of_results = std::to_array<FieldOf<SimulationResult>
     {SIGMASWEEP_MEMBER(SimulationResult, predicted_growth), .unit = "1",
      .meaning = "fixed steps: predicted growth of the least stable mode in N tc (lattice: rows tc)",
      .applies = {&conditions::fixed_steps}},
+    {SIGMASWEEP_MEMBER(SimulationResult, steps_used), .unit = "1",
+     .meaning = "fixed steps: time steps per contact time that were chosen for the tolerance",
+     .symbol = "{/:Italic t}_c/Δ{/:Italic t}", .applies = {&conditions::chosen_steps}},
     {SIGMASWEEP_MEMBER_NAMED("h_cm", SimulationResult, vibration.h_cm), .unit = "m",
      .meaning = "mean height of the centre of mass above the plate's middle", .symbol = "⟨{/:Italic h}_{cm}⟩",
      .quantity = "mean height of the centre of mass ⟨{/:Italic h}_{cm}⟩", .applies = {&conditions::vibrates}},
@@ -61,8 +64,10 @@ inline constexpr auto table_of_results = std::to_array<FieldOf<SimulationResult>
      .meaning = "plate's work less dissipation and gain of energy, over max(plate's work, weight x plate's path)",
      .applies = {&conditions::vibrates}},
     {SIGMASWEEP_MEMBER(SimulationResult, contacts), .unit = "1",
-     .meaning = "number of contacts that closed and opened again; hard spheres: of collisions"},
-    {SIGMASWEEP_MEMBER(SimulationResult, end), .unit = "1", .meaning = "why the computation ended"},
+     .meaning = "number of contacts that closed and opened again; hard spheres: of collisions; a lower bound where end "
+                "is settled"},
+    {SIGMASWEEP_MEMBER(SimulationResult, end), .unit = "1",
+     .meaning = "why the computation ended; settled: some beads still approach, with next to no energy"},
     {SIGMASWEEP_MEMBER(SimulationResult, status), .unit = "1",
      .meaning = "whether the row holds a result, and if not, why"},
 });

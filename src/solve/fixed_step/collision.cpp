@@ -65,15 +65,11 @@ SimulationResult with_given_steps(const Parameters& p, ComputeBudget* budget) {
   if (!is_hopeless(p)) c = stepped(p, 0.0, budget);
   if (is_success(c.status)) c = compared(c, exact_of(p, budget));
   c.predicted_growth = predicted_growth(p);
+  c.steps_used = p.steps_per_tc;
   return c;
 }
 
-struct Choice {
-  SimulationResult result;
-  double steps_per_tc = fewest_steps;
-};
-
-Choice with_chosen_steps(Parameters p, ComputeBudget* budget) {
+SimulationResult with_chosen_steps(Parameters p, ComputeBudget* budget) {
   const double tolerance = p.tolerance;
   p.tolerance = std::max(0.1 * tolerance, 1e-15);
   const SimulationResult exact = exact_of(p, budget);
@@ -82,23 +78,25 @@ Choice with_chosen_steps(Parameters p, ComputeBudget* budget) {
   p.steps_per_tc = fewest_steps;
   while (p.steps_per_tc < max_steps && !is_stable(closed, p.integrator, 1.0 / p.steps_per_tc)) p.steps_per_tc *= 1.25;
 
-  const auto with_growth = [&](Choice choice) {
-    choice.result.predicted_growth = predicted_growth(closed, p.integrator, 1.0 / choice.steps_per_tc);
-    return choice;
+  const auto with_growth = [&](SimulationResult c) {
+    c.predicted_growth = predicted_growth(closed, p.integrator, 1.0 / c.steps_used);
+    return c;
   };
-  Choice best;
-  best.result.status = Status::unstable;
+  SimulationResult best;
+  best.status = Status::unstable;
+  best.steps_used = p.steps_per_tc;
   for (double factor = 1.0; p.steps_per_tc <= max_steps; p.steps_per_tc *= factor) {
-    const SimulationResult c = compared(stepped(p, max_work, budget), exact);
-    const bool is_better = is_success(c.status) && !(c.eps_eff_error >= best.result.eps_eff_error);
-    if (is_better || !is_success(best.result.status)) best = {c, p.steps_per_tc};
-    if (best.result.eps_eff_error <= tolerance) return with_growth(best);
+    SimulationResult c = compared(stepped(p, max_work, budget), exact);
+    c.steps_used = p.steps_per_tc;
+    const bool is_better = is_success(c.status) && !(c.eps_eff_error >= best.eps_eff_error);
+    if (is_better || !is_success(best.status)) best = c;
+    if (best.eps_eff_error <= tolerance) return with_growth(best);
     const bool goes_on = is_success(c.status) || c.status == Status::unstable;
     if (!goes_on || !(exact.eps_eff_error < tolerance)) break;
     factor = is_success(c.status) ? std::clamp(margin * c.eps_eff_error / tolerance, least_factor, max_factor)
                                   : least_factor;
   }
-  if (is_success(best.result.status)) best.result.status = Status::tolerance_missed;
+  if (is_success(best.status)) best.status = Status::tolerance_missed;
   return with_growth(best);
 }
 
@@ -106,11 +104,11 @@ Choice with_chosen_steps(Parameters p, ComputeBudget* budget) {
 
 SimulationResult simulate_fixed_step(const Parameters& parameters, ComputeBudget* budget) {
   if (parameters.steps_per_tc > 0.0) return with_given_steps(parameters, budget);
-  return with_chosen_steps(parameters, budget).result;
+  return with_chosen_steps(parameters, budget);
 }
 
 double steps_taken(const Parameters& parameters) {
-  return parameters.steps_per_tc > 0.0 ? parameters.steps_per_tc : with_chosen_steps(parameters, nullptr).steps_per_tc;
+  return parameters.steps_per_tc > 0.0 ? parameters.steps_per_tc : with_chosen_steps(parameters, nullptr).steps_used;
 }
 
 }  // namespace sigmasweep

@@ -10,8 +10,9 @@
 namespace sigmasweep {
 namespace {
 
-SimulationResult with_growth(SimulationResult result, const Parameters& p) {
+SimulationResult with_growth_and_steps(SimulationResult result, const Parameters& p) {
   result.predicted_growth = predicted_growth(p);
+  result.steps_used = p.steps_per_tc;
   return result;
 }
 
@@ -21,14 +22,14 @@ SimulationResult fixed_step_column_run_on_plate(const Parameters& p, ComputeBudg
   const auto follow = [&](const Column<double>& column, const Plate& plate, VibrationStatistics& statistics) {
     return fixed_step_vibrated_column(column, plate, p.integrator, 1.0 / p.steps_per_tc, statistics, budget);
   };
-  return with_growth(run_column_on_plate(p, follow), p);
+  return with_growth_and_steps(run_column_on_plate(p, follow), p);
 }
 
 SimulationResult fixed_step_lattice_run_on_plate(const Parameters& p, ComputeBudget* budget) {
   const auto follow = [&](const Lattice<double>& lattice, const Plate& plate, LatticeStatistics& statistics) {
     return fixed_step_vibrated_lattice(lattice, plate, p.integrator, 1.0 / p.steps_per_tc, statistics, budget);
   };
-  return with_growth(run_lattice_on_plate(p, follow), p);
+  return with_growth_and_steps(run_lattice_on_plate(p, follow), p);
 }
 
 void observe_fixed_step_on_plate(const Parameters& p, VibratedSamples& samples) {

@@ -58,11 +58,12 @@ Computed computed_in(const Parameters& p, HardSphereSettings settings, const Run
   NullObserver nobody;
   HardSphereColumn<Real> run(column, settings, limits);
   Outcome<Real> outcome = run.run(nobody);
+  const double collisions_per_bead = static_cast<double>(outcome.contacts) / static_cast<double>(p.N);
+  if (outcome.end == End::settled && settings.rule == EdRule::lrv) run.add_late_collisions(outcome);
   outcome.t_k *= length_of(column);
   const bool given_up = outcome.status == Status::event_limit;
   if (given_up) outcome.status = Status::tolerance_missed;  // by the energy that can still be dissipated
   SimulationResult c = to_si_result(outcome, p, mass);
-  const double collisions_per_bead = static_cast<double>(outcome.contacts) / static_cast<double>(p.N);
   Real error = std::numeric_limits<Real>::epsilon() * spread(column.mass) * (4 + collisions_per_bead);
   error += residual_dissipation<Real>(outcome.velocity, Real(1), mass);
   if (!given_up) {

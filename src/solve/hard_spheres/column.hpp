@@ -6,39 +6,20 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "assembly/column.hpp"
 #include "assembly/energies.hpp"
-#include "base/quad.hpp"
 #include "numerics/tournament.hpp"
 #include "solve/hard_spheres/cluster.hpp"
 #include "solve/hard_spheres/collision.hpp"
 #include "solve/hard_spheres/hit_memory.hpp"
+#include "solve/hard_spheres/late_collisions.hpp"
+#include "solve/hard_spheres/scales.hpp"
 #include "solve/stop_logic.hpp"
 
 namespace sigmasweep {
-
-/// Relative size of a difference of two velocities up to which it is rounding and counts as zero.
-template <class Real>
-inline const Real cancelled = Real(1e-14);
-template <>
-inline const Quad cancelled<Quad> = Quad(1e-30);
-
-/// The unit of length: the gap, or 1 without a gap.
-template <class Real>
-Real length_of(const Column<Real>& column) {
-  return column.gap > 0 ? column.gap : Real(1);
-}
-
-/// Ratio of the speeds of the lightest and the heaviest bead with the same energy.
-template <class Real>
-Real spread(const std::vector<Real>& mass) {
-  using std::sqrt;
-  if (mass.empty()) return Real(1);
-  const auto [lightest, heaviest] = std::minmax_element(mass.begin(), mass.end());
-  return sqrt(*heaviest / *lightest);
-}
 
 /// Contacts are numbered k = 0 (the wall) to N-1; units are the speed, length_of() and the mean bead's mass. The state
 /// is each contact's gap at its own time `since` and its closing speed u (> 0: approaching), so neither is a small
@@ -92,6 +73,21 @@ class HardSphereColumn {
     outcome_.velocity = velocities();
     outcome_.t_k = last_wall_ - std::max(first_wall_, Real(0));
     return outcome_;
+  }
+
+  /// Adds to the outcome of a run() that settled what follows without energy to speak of: the end, if the beads part,
+  /// with all collisions and the whole t_k; or a collapse. Velocities stay: what they still change is in the error.
+  void add_late_collisions(Outcome<Real>& outcome) const {
+    const auto wide = [](const Real& x) { return static_cast<long double>(x); };
+    std::vector<Approach> contacts;
+    for (std::size_t k = 0; k < contacts_; ++k)
+      contacts.push_back({wide(gap_now(k)), wide(state_[k].u), wide(state_[k].below), wide(state_[k].above)});
+    const LateCollisions late = late_collisions(std::move(contacts), wide(e_), wide(e_wall_));
+    if (late.status == Status::collapsed) outcome.status = Status::collapsed;
+    if (late.end != End::separated) return;
+    outcome.end = End::separated;
+    outcome.contacts += late.contacts;
+    if (!(late.last_wall < 0.0L)) outcome.t_k = now_ + Real(late.last_wall) - std::max(first_wall_, Real(0));
   }
 
   /// Error of eps_eff, after run(), by the finite resolution of time. In a series of ever faster collisions, finite or

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "solve/hard_spheres/column.hpp"
+#include "solve/hard_spheres/scales.hpp"
 #include "solve/observer/samples.hpp"
 #include "solve/observer/vibration_statistics.hpp"
 

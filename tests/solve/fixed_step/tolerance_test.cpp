@@ -77,8 +77,11 @@ TEST_P(FixedStepTolerance, TheStepTakenGivesTheSameAgain) {
   p.integrator = GetParam();
   p.tolerance = 1e-3;
   const SimulationResult chosen = simulate(p);
-  p.steps_per_tc = steps_taken(p);
+  EXPECT_EQ(chosen.steps_used, steps_taken(p));
+  EXPECT_GE(chosen.steps_used, 20.0);
+  p.steps_per_tc = chosen.steps_used;
   const SimulationResult given = simulate(p);
+  EXPECT_EQ(given.steps_used, chosen.steps_used);
   EXPECT_EQ(chosen.eps_eff, given.eps_eff);
   EXPECT_EQ(chosen.contacts, given.contacts);
 }

@@ -72,5 +72,66 @@ TEST(CollapseBisected, TwoAndThreeBeads) {
   EXPECT_NEAR(bisected(collapses_in_the_end, 2, 0.1, 0.12, Wall::paper), 0.1116744346, 1e-5);
 }
 
+SimulationResult falling(std::int64_t N, double epsilon, Wall wall) {
+  Parameters p;
+  p.method = Method::ed;
+  p.N = N;
+  p.epsilon = epsilon;
+  p.wall = wall;
+  p.s0 = 1e-5;
+  return simulate_hard_spheres(complete(p, GapParameter::s0));
+}
+
+// With gaps no energy is left long before the collisions come thick and fast, or stop: which of the two it is, the
+// status says, and no row is left undecided.
+TEST(BesideTheThreshold, ColumnsWithGapsCollapseOrPart) {
+  struct Beside {
+    std::int64_t N;
+    Wall wall;
+    double threshold;
+  };
+  for (const Beside& t : {Beside{2, Wall::matched, 3.0 - 2.0 * std::sqrt(2.0)}, Beside{2, Wall::paper, 0.1116744346},
+                          Beside{3, Wall::matched, 1.0 / 3.0}, Beside{3, Wall::paper, 0.2958198}})
+    for (const double share : {1e-5, 1e-4, 1e-3, 0.01, 0.02}) {
+      SCOPED_TRACE(testing::Message() << "N=" << t.N << " " << name_of(t.wall) << " " << share);
+      EXPECT_EQ(falling(t.N, (1.0 - share) * t.threshold, t.wall).status, Status::collapsed);
+      const SimulationResult above = falling(t.N, (1.0 + share) * t.threshold, t.wall);
+      EXPECT_EQ(above.status, Status::ok);
+      EXPECT_EQ(above.end, End::separated);
+    }
+  EXPECT_EQ(falling(3, 0.29537662798581454, Wall::paper).status, Status::collapsed);
+}
+
+// Numbers of collisions by arithmetic of 1200 digits, collision by collision. Four beads part in windows below the last
+// threshold, too.
+TEST(BesideTheThreshold, AllCollisionsAreCounted) {
+  struct Counted {
+    std::int64_t N;
+    double epsilon;
+    Wall wall;
+    std::uint64_t collisions;
+  };
+  for (const Counted& c :
+       {Counted{2, 0.1116744346 * 1.0001, Wall::paper, 432}, Counted{3, 0.29581982 * 1.0005, Wall::paper, 374},
+        Counted{4, 0.45302 * 0.999, Wall::matched, 2173}, Counted{4, 0.45302 * 1.0015, Wall::matched, 1675},
+        Counted{4, 0.42341 * 0.998, Wall::paper, 952}, Counted{4, 0.42341 * 1.00001, Wall::paper, 421}}) {
+    const SimulationResult result = falling(c.N, c.epsilon, c.wall);
+    EXPECT_EQ(result.status, Status::ok) << c.N << " " << c.epsilon;
+    EXPECT_EQ(result.end, End::separated);
+    EXPECT_EQ(result.contacts, c.collisions) << c.N << " " << c.epsilon;
+  }
+  EXPECT_EQ(falling(4, 0.45302 * 0.9995, Wall::matched).status, Status::collapsed);
+}
+
+// A fraction x above the threshold of two beads, the number of collisions is that of half a turn of the complex
+// eigenvalues of a cycle, which is proportional to 1/sqrt(x).
+TEST(BesideTheThreshold, CollisionsGrowWithoutBound) {
+  const double threshold = 3.0 - 2.0 * std::sqrt(2.0);
+  const auto collisions = [&](double x) {
+    return static_cast<double>(falling(2, threshold * (1.0 + x), Wall::matched).contacts);
+  };
+  for (const double x : {0.01, 0.003, 0.001}) EXPECT_NEAR(collisions(x / 4.0) / collisions(x), 2.0, 0.1) << x;
+}
+
 }  // namespace
 }  // namespace sigmasweep

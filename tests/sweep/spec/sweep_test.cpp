@@ -1,5 +1,6 @@
 #include "sigmasweep/sweep/sweep.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -240,6 +241,9 @@ TEST(Spec, ATimeStepIsGivenOrChosenByTheTolerance) {
   const Sweep chosen = with("sigma = 1\nintegrator = [\"gear5\", \"rk4\"]\ntolerance = [1e-3, 1e-4]");
   ASSERT_EQ(chosen.size(), 4u);
   for (std::uint64_t row = 0; row < 4; ++row) EXPECT_EQ(chosen.at(row).steps_per_tc, 0.0);
+  EXPECT_EQ(std::ranges::count(chosen.columns(), "steps_used", &Field::name), 1);
+  const Sweep given = with("sigma = 1\nintegrator = \"gear5\"\nsteps_per_tc = 50");
+  EXPECT_EQ(std::ranges::count(given.columns(), "steps_used", &Field::name), 0);  // it is steps_per_tc
   EXPECT_EQ(chosen.at(3).tolerance, 1e-4);
   EXPECT_EQ(with("sigma = 1\ntolerance = 1e-4").at(0).steps_per_tc, 100.0);  // nobody steps
 }
