@@ -34,14 +34,6 @@ File create_new(const std::string& path) {
   return File(path, flags);
 }
 
-/// Whether the file of this name is the one that is open: another process may have replaced it.
-bool is_file(const std::string& path, int fd) {
-  struct stat named {
-  }, opened{};
-  return ::lstat(path.c_str(), &named) == 0 && ::fstat(fd, &opened) == 0 && named.st_dev == opened.st_dev &&
-         named.st_ino == opened.st_ino;
-}
-
 /// Writes all of a file to a stream. Returns 0, or the errno of a failure.
 int copy(int from, int to) {
   std::vector<std::byte> buffer(std::size_t{1} << 16);
@@ -68,14 +60,14 @@ AtomicFile::AtomicFile(const std::string& path, const std::string& suffix) : pat
 
 AtomicFile::~AtomicFile() {
   if (published_ || stream_) return;
-  if (!file_.is_open() || is_file(part_, file_.fd())) ::unlink(part_.c_str());
+  if (!file_.is_open() || is_name_of(part_, file_.fd())) ::unlink(part_.c_str());
 }
 
 int AtomicFile::sync() const { return stream_ || ::fsync(file_.fd()) == 0 ? 0 : errno; }
 
 int AtomicFile::rename() {
   if (stream_) return copy(file_.fd(), stream_->fd());
-  if (file_.is_open() && !is_file(part_, file_.fd())) return EBUSY;  // another process writes PATH, too
+  if (file_.is_open() && !is_name_of(part_, file_.fd())) return EBUSY;  // another process writes PATH, too
   if (std::rename(part_.c_str(), path_.c_str()) != 0) return errno;
   published_ = true;
   return 0;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -64,6 +65,13 @@ std::size_t read_at(int fd, std::span<std::byte> bytes, std::uint64_t offset, co
     done += static_cast<std::size_t>(got);
   }
   return done;
+}
+
+bool is_name_of(const std::string& path, int fd) {
+  struct stat named {
+  }, opened{};
+  return ::lstat(path.c_str(), &named) == 0 && ::fstat(fd, &opened) == 0 && named.st_dev == opened.st_dev &&
+         named.st_ino == opened.st_ino;
 }
 
 void sync_directory_of(const std::string& path) {

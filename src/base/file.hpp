@@ -39,6 +39,10 @@ int write_all(int fd, std::span<const std::byte> bytes);
 /// Reads up to bytes.size() bytes at `offset`, fewer only at the end of the file. Throws IoError naming `path`.
 std::size_t read_at(int fd, std::span<std::byte> bytes, std::uint64_t offset, const std::string& path);
 
+/// Whether the file of this name is the one that the descriptor has open: another process may have removed or replaced
+/// it. A symbolic link is not followed.
+bool is_name_of(const std::string& path, int fd);
+
 /// Makes creation, renaming or removal of `path` itself survive a power failure. Throws IoError.
 void sync_directory_of(const std::string& path);
 

@@ -9,6 +9,8 @@
 
 #include <array>
 #include <cerrno>
+#include <fstream>
+#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -94,6 +96,22 @@ int Process::wait_until(Clock::time_point end) {
     if (Clock::now() >= end && ::kill(id_, SIGKILL) == 0) return wait();
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
+}
+
+/// "ID (NAME) STATE PARENT ..."; the start is the 22nd word. The name may hold spaces and parentheses.
+ProcessStat stat_of_process(std::int64_t id) {
+  std::ifstream file("/proc/" + std::to_string(id) + "/stat");
+  std::string line;
+  std::getline(file, line);
+  const auto begin = line.find('('), end = line.rfind(')');
+  if (begin == std::string::npos || end == std::string::npos || end < begin) return {};
+  std::istringstream words(line.substr(end + 1));
+  ProcessStat found{.name = line.substr(begin + 1, end - begin - 1)};
+  words >> found.state >> found.parent;
+  std::string word;
+  for (int number = 5; number < 22; ++number) words >> word;
+  words >> found.start;
+  return words ? found : ProcessStat{};
 }
 
 std::optional<std::string> output_of(std::vector<std::string> words, Clock::duration limit) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,15 @@ class Process {
  private:
   int id_ = -1;
 };
+
+/// What the kernel tells of a process: /proc/ID/stat, proc(5).
+struct ProcessStat {
+  std::string name;
+  char state = '\0';  ///< 'Z': it has ended; '\0': nothing is known
+  std::int64_t parent = 0;
+  std::uint64_t start = 0;  ///< clock ticks since the machine started
+};
+ProcessStat stat_of_process(std::int64_t id);
 
 /// The standard output of a program; nothing if it does not end well within `limit`.
 std::optional<std::string> output_of(std::vector<std::string> words, std::chrono::steady_clock::duration limit);

@@ -9,36 +9,16 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <string_view>
 
 #include "base/file.hpp"
+#include "base/process.hpp"
 
 namespace sigmasweep {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Parent {
-  std::string name;  ///< of the process itself
-  pid_t id = 0;      ///< of its parent
-};
-
-/// Reads /proc/ID/stat: "ID (NAME) STATE PARENT ...".
-Parent parent_of(pid_t id) {
-  std::ifstream file("/proc/" + std::to_string(id) + "/stat");
-  std::string line;
-  std::getline(file, line);
-  const auto begin = line.find('('), end = line.rfind(')');
-  if (begin == std::string::npos || end == std::string::npos || end < begin) return {};
-  std::istringstream words(line.substr(end + 1));
-  char state = 0;
-  Parent found{line.substr(begin + 1, end - begin - 1)};
-  words >> state >> found.id;
-  return found;
-}
 
 bool is_launcher(std::string_view name) {
   constexpr auto names = std::to_array<std::string_view>({"mpirun", "mpiexec", "orterun", "prterun", "hydra_"});
@@ -63,8 +43,8 @@ bool reads(pid_t id, const struct stat& pipe) {
 pid_t launcher_that_reads(pid_t id, const struct stat& pipe) {
   constexpr int max_ancestors = 16;
   for (int i = 0; i < max_ancestors && id > 1; ++i) {
-    id = parent_of(id).id;
-    if (id > 1 && is_launcher(parent_of(id).name)) return reads(id, pipe) ? id : 0;
+    id = static_cast<pid_t>(stat_of_process(id).parent);
+    if (id > 1 && is_launcher(stat_of_process(id).name)) return reads(id, pipe) ? id : 0;
   }
   return 0;
 }

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <exception>
-#include <thread>
 
 #include "base/exit_codes.hpp"
 #include "base/standard_error.hpp"
@@ -25,14 +23,6 @@ namespace {
 [[noreturn]] void abort_all(const World& world, int exit_code, const char* message) {
   print_on_stderr(fmt::format("sigmasweep: rank {}: {}\n", world.rank(), message));
   world.abort(exit_code);
-}
-
-/// Ends this process after 30 s. MPI waits at its end for all ranks, which may not know of an error on the manager.
-void end_soon(int exit_code) {
-  std::thread([exit_code] {
-    std::this_thread::sleep_for(std::chrono::seconds(30));
-    std::_Exit(exit_code);
-  }).detach();
 }
 
 /// Why the ranks cannot work together: they send each other values as bytes, and their last digits are to be the same.
@@ -66,7 +56,8 @@ int on_all_ranks(int& argc, char**& argv, const std::function<int(World&)>& comm
     // The other ranks know of the error and return the same code. It is printed before MPI ends, because mpirun may end
     // this rank as soon as the first of them is gone.
     print_on_stderr(fmt::format("sigmasweep: {}\n", error.what()));
-    end_soon(error.exit_code());
+    // MPI waits at its end for all ranks, which may not know of the error.
+    LastResort::end_process_in(std::chrono::seconds(30), error.exit_code());
     return error.exit_code();
   } catch (const std::exception& error) {
     abort_all(world, exit_code::internal_error, error.what());

@@ -3,13 +3,12 @@ overwritten."""
 
 import os
 import random
-import signal
 import struct
 import subprocess
 import unittest
 
 import h5py
-from sweep_process import PROGRAM, Sweep, end_of, first_record, spec, xxh3
+from sweep_process import PROGRAM, Sweep, first_record, spec, stopped_sweep, xxh3
 
 QUICK = spec(steps=20)
 SEAL = 16  # bytes behind the end of the HDF5 file
@@ -93,17 +92,8 @@ class DamagedTables(unittest.TestCase):
 
 
 class DamagedJournals(unittest.TestCase):
-    def stopped(self):
-        """A sweep with a few rows in its journal."""
-        sweep = Sweep()
-        process = sweep.start(2)
-        sweep.wait_for_rows(process, 5)
-        process.send_signal(signal.SIGUSR1)
-        self.assertEqual(end_of(process).code, 75)
-        return sweep
-
     def test_damaged_records_are_told_and_computed_again(self):
-        sweep = self.stopped()
+        sweep = stopped_sweep()
         kept = len(sweep.journalled())
         data = sweep.journal.read_bytes()
         size = struct.unpack_from("<I", data, 12)[0]
@@ -114,7 +104,7 @@ class DamagedJournals(unittest.TestCase):
         self.assertIn(f"going on with {kept - 2} of 360 rows", ended.err)
 
     def test_of_another_build(self):
-        sweep = self.stopped()
+        sweep = stopped_sweep()
         data = bytearray(sweep.journal.read_bytes())
         data[44] ^= 1
         data[64:72] = struct.pack("<Q", xxh3(bytes(data[:64])))  # the header's checksum is right
@@ -127,7 +117,7 @@ class DamagedJournals(unittest.TestCase):
         self.assertEqual(sweep.run(2, "--fresh").code, 0)
 
     def test_of_another_version(self):
-        sweep = self.stopped()
+        sweep = stopped_sweep()
         for byte, words in ((8, "format"), (16, "other fields"), (40, "physics version")):
             data = bytearray(sweep.journal.read_bytes())
             data[byte] ^= 1

@@ -8,7 +8,7 @@ import subprocess
 import unittest
 
 import h5py
-from sweep_process import PROGRAM, Sweep
+from sweep_process import PRECISION, PROGRAM, Sweep
 
 SPEC = """
 title = "Few rows"
@@ -18,22 +18,6 @@ v0 = 1.0
 tc = 2e-5
 epsilon = 0.9
 sigma = [0.1, 0.2]
-"""
-PRECISION = """
-[sweep]
-N = 2
-epsilon = 0.9
-sigma = 0.3
-v0 = 1.0
-tc = 1e-5
-[precision]
-integrators  = ["exact", "verlet"]
-steps_per_tc = [20]
-tolerances   = [1e-3]
-tuples  = 2
-checks  = 1
-repeats = 1
-seconds = 1
 """
 
 

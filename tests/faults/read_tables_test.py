@@ -9,7 +9,7 @@ import unittest
 
 import h5py
 import numpy
-from sweep_process import PROGRAM, Sweep, xxh3
+from sweep_process import PRECISION, PROGRAM, Sweep, xxh3
 
 SPEC = """
 [sweep]
@@ -234,25 +234,8 @@ class LongSpecs(unittest.TestCase):
 
 
 class PrecisionTables(unittest.TestCase):
-    SPEC = """
-[sweep]
-N = 2
-epsilon = 0.9
-sigma = 0.3
-v0 = 1.0
-tc = 1e-5
-[precision]
-integrators  = ["exact", "verlet"]
-steps_per_tc = [20]
-tolerances   = [1e-3]
-tuples  = 2
-checks  = 1
-repeats = 1
-seconds = 1
-"""
-
     def test_damage_is_found(self):
-        sweep = Sweep(self.SPEC)
+        sweep = Sweep(PRECISION)
         call = lambda *arguments: subprocess.run([PROGRAM, *arguments], capture_output=True, timeout=60, cwd=sweep.path)
         self.assertEqual(call("precision", "-q", "sweep.toml", "-o", "p.h5", "--no-plots").returncode, 0)
         table = sweep.path / "p.h5"

@@ -1,10 +1,9 @@
 """Specs that were edited, come from a pipe, have dots in their names, or say the same thing twice."""
 
-import signal
 import subprocess
 import unittest
 
-from sweep_process import PROGRAM, Sweep, end_of, spec
+from sweep_process import PROGRAM, Sweep, spec, stopped_sweep
 
 QUICK = """
 [sweep]
@@ -17,16 +16,8 @@ s0 = 0.0
 
 
 class EditedSpecs(unittest.TestCase):
-    def stopped(self):
-        sweep = Sweep()
-        process = sweep.start(2)
-        sweep.wait_for_rows(process, 5)
-        process.send_signal(signal.SIGUSR1)
-        self.assertEqual(end_of(process).code, 75)
-        return sweep
-
     def test_an_unfinished_sweep_goes_on_when_its_tuples_are_the_same(self):
-        sweep = self.stopped()
+        sweep = stopped_sweep()
         edited = "# a comment\n" + spec().replace("0.9, 0.8", "9e-1, 0.80") + "[plot]\nx_scale = 'log'\n"
         sweep.spec.write_text(edited)
         kept = sweep.finish_keeping_rows()
@@ -38,7 +29,7 @@ class EditedSpecs(unittest.TestCase):
 
     def test_other_tuples_are_refused_with_the_way_to_keep_rows(self):
         for edit in (("0.9, 0.8", "0.8, 0.9"), ("count = 15", "count = 14")):
-            sweep = self.stopped()
+            sweep = stopped_sweep()
             before = sweep.journal.read_bytes()
             sweep.spec.write_text(spec().replace(*edit))
             ended = sweep.run(0)

@@ -8,6 +8,7 @@ import errno
 import os
 import pathlib
 import shlex
+import signal
 import struct
 import subprocess
 import tempfile
@@ -32,6 +33,24 @@ tc           = 1e-5
 sigma        = { from = 0.01, to = 5.0, count = 15, scale = "log" }
 integrator   = "verlet"
 steps_per_tc = STEPS
+"""
+
+# A precision study of a second or two.
+PRECISION = """
+[sweep]
+N = 2
+epsilon = 0.9
+sigma = 0.3
+v0 = 1.0
+tc = 1e-5
+[precision]
+integrators  = ["exact", "verlet"]
+steps_per_tc = [20]
+tolerances   = [1e-3]
+tuples  = 2
+checks  = 1
+repeats = 1
+seconds = 1
 """
 
 
@@ -223,3 +242,15 @@ def wait_until_unlocked(sweep):
             return
         time.sleep(0.05)
     raise AssertionError("a rank outlived its mpirun")
+
+
+def stopped_sweep():
+    """A sweep that was stopped with a few rows in its journal."""
+    sweep = Sweep()
+    process = sweep.start(2)
+    sweep.wait_for_rows(process, 5)
+    process.send_signal(signal.SIGUSR1)
+    ended = end_of(process)
+    if ended.code != 75:
+        raise AssertionError(f"a run that was told to stop: {ended}")
+    return sweep

@@ -6,6 +6,7 @@
 #include "base/duration.hpp"
 #include "base/printable.hpp"
 #include "cli/command.hpp"
+#include "store/rows/json.hpp"
 #include "store/stored/stored_sweep.hpp"
 
 namespace sigmasweep {
@@ -28,12 +29,10 @@ void print_json(const std::string& table, const SweepStatus& status) {
                    {"state", status.state()},
                    {"rows", status.stored.total},
                    {"done", status.stored.table.rows.size()},
-                   {"by_status", Json::object()},
+                   {"by_status", counts_by_status(status.stored.table.rows)},
                    {"rows_per_second", json_or_null(status.rows_per_second())},
                    {"seconds_left", json_or_null(status.seconds_left())},
                    {"ranks", Json::array()}};
-  for (const auto& [name, count] : count_by_status(status.stored.table.rows))
-    document["by_status"][std::string(name)] = count;
   if (status.run)
     for (const RankState& rank : status.run->ranks)
       document["ranks"].push_back({{"rank", rank.rank},

@@ -104,7 +104,8 @@ void Manager::copy_overdue_tasks() {
       rows.push_back(task.row);
       seconds.push_back(task.predicted_seconds);
     }
-    if (!rows.empty()) hand_out(rank, {rows, seconds});
+    if (rows.empty()) return;  // nor is there anything for the other idle ranks
+    hand_out(rank, {rows, seconds});
   }
 }
 

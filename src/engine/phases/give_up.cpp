@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/file.hpp"
+#include "base/output/place.hpp"
 #include "engine/stop/last_resort.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/run_notes/look.hpp"
@@ -47,7 +48,7 @@ void give_up(const std::vector<SilentRank>& silent, OpenSweep& open, const Repor
 }
 
 std::string give_up_without_manager(const std::string& table) {
-  if (const File journal(table + ".journal", O_RDWR); journal.is_open()) ::fdatasync(journal.fd());
+  if (const File journal(beside(table, ".journal"), O_RDWR | O_NOFOLLOW); journal.is_open()) ::fdatasync(journal.fd());
   std::string words;
   if (const auto state = state_of(table)) {
     for (const RankState& rank : state->ranks)

@@ -4,18 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "base/exit_codes.hpp"
-#include "store/stored/stored_sweep.hpp"
+#include "store/rows/json.hpp"
 
 namespace sigmasweep {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json statuses_json(std::span<const Row> rows) {
-  Json counts = Json::object();
-  for (const auto& [name, count] : count_by_status(rows)) counts[std::string(name)] = count;
-  return counts;
-}
 
 Json quantiles_json(std::span<const Row> rows) {
   Json all = Json::object();
@@ -46,7 +40,7 @@ std::string summary_json(std::span<const Row> rows, const RunEnd& end) {
                          {"exit_code", end.exit_code},
                          {"rows", end.total},
                          {"done", rows.size()},
-                         {"by_status", statuses_json(rows)},
+                         {"by_status", counts_by_status(rows)},
                          {"computed", work_json(end)},
                          {"quantiles", quantiles_json(rows)},
                          {"universality", universality_json(universality(rows))}};

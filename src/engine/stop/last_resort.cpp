@@ -10,6 +10,7 @@
 
 #include "base/exit_codes.hpp"
 #include "base/standard_error.hpp"
+#include "engine/stop/stop.hpp"
 #include "engine/stop/stop_signals.hpp"
 
 namespace sigmasweep {
@@ -36,13 +37,7 @@ std::string say_last_words() {
   }
 }
 
-/// Ends this process in ten seconds, whatever hangs meanwhile.
-void end_soon() {
-  std::thread([] {
-    std::this_thread::sleep_for(std::chrono::seconds(10));
-    std::_Exit(exit_code::stopped);
-  }).detach();
-}
+constexpr std::chrono::seconds time_to_end(10);
 
 }  // namespace
 
@@ -56,11 +51,7 @@ LastResort::~LastResort() {
   prepare_by({});
 }
 
-void LastResort::expect_stop_in(double seconds) {
-  constexpr double century = 3e9;
-  const std::chrono::duration<double> in(std::min(seconds, century));
-  stop_at = (Clock::now() + std::chrono::duration_cast<Clock::duration>(in)).time_since_epoch().count();
-}
+void LastResort::expect_stop_in(double seconds) { stop_at = time_in(seconds).time_since_epoch().count(); }
 
 void LastResort::allow(double seconds) { allowed = seconds; }
 
@@ -69,8 +60,15 @@ void LastResort::prepare_by(std::function<std::string()> words) {
   last_words = std::move(words);
 }
 
+void LastResort::end_process_in(std::chrono::seconds seconds, int exit_code) {
+  std::thread([=] {
+    std::this_thread::sleep_for(seconds);
+    std::_Exit(exit_code);
+  }).detach();
+}
+
 void LastResort::end_all_ranks() {
-  end_soon();
+  end_process_in(time_to_end, exit_code::stopped);
   int begun = 0, ended = 0;
   if (MPI_Initialized(&begun) == MPI_SUCCESS && begun && MPI_Finalized(&ended) == MPI_SUCCESS && !ended)
     MPI_Abort(MPI_COMM_WORLD, exit_code::stopped);
@@ -83,7 +81,7 @@ void LastResort::watch(const std::stop_token& done) const {
   while (!done.stop_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     if (!is_told_to_stop() || since_stop.look() < mine + allowed) continue;
-    end_soon();
+    end_process_in(time_to_end, exit_code::stopped);
     print_on_stderr(
         fmt::format("sigmasweep: rank {}: the run does not end after it was told to stop: {}; it is given "
                     "up. Everything done is kept, run it again to go on\n",

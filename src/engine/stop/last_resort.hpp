@@ -32,6 +32,8 @@ class LastResort {
   /// What is to be done before the end: saves what can be saved, and says in words which ranks are silent.
   static void prepare_by(std::function<std::string()> last_words);
 
+  /// Ends this process in so many seconds, whatever hangs meanwhile.
+  static void end_process_in(std::chrono::seconds seconds, int exit_code);
   /// Ends all ranks of this run now. MPI must not be asked whether the others are ready.
   [[noreturn]] static void end_all_ranks();
 

@@ -4,11 +4,14 @@
 
 namespace sigmasweep {
 
-void StopRequest::end_in(double seconds) {
-  constexpr double century = 3e9;  // the clock counts 64 bits of nanoseconds
-  end_ = Clock::now() +
-         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, century)));
+std::chrono::steady_clock::time_point time_in(double seconds) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double century = 3e9;  // s; the clock counts 64 bits of nanoseconds
+  const std::chrono::duration<double> in(std::min(seconds, century));
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(in);
 }
+
+void StopRequest::end_in(double seconds) { end_ = time_in(seconds); }
 
 bool StopRequest::made() const { return StopSignals::came() || Clock::now() >= end_; }
 

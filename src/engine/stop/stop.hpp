@@ -6,6 +6,9 @@
 
 namespace sigmasweep {
 
+/// The moment in so many seconds from now; a century at most.
+std::chrono::steady_clock::time_point time_in(double seconds);
+
 /// Whether this rank is asked to stop: by a signal (StopSignals), or by the end of its time, if it has one. There may
 /// be one such object at a time.
 class StopRequest {

@@ -20,14 +20,6 @@ struct flock whole_file() {
   return lock;
 }
 
-/// Whether `path` still is the file that `fd` has open. A former owner may have removed it between our open and lock.
-bool same_file(int fd, const std::string& path) {
-  struct stat opened {
-  }, named{};
-  return ::fstat(fd, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
-         opened.st_ino == named.st_ino;
-}
-
 /// Who holds the lock, in words; empty if nobody does any more.
 std::string holder(int fd) {
   struct flock lock = whole_file();
@@ -50,7 +42,7 @@ TableLock::TableLock(const std::string& table_path) : path_(beside(table_path, "
     if (!file_.is_open()) throw OutputError(fmt::format("cannot create {}: {}", path_, reason(errno)));
     struct flock lock = whole_file();
     if (::fcntl(file_.fd(), F_SETLK, &lock) == 0) {
-      if (same_file(file_.fd(), path_)) return;
+      if (is_name_of(path_, file_.fd())) return;  // a former owner may have removed it meanwhile
       continue;
     }
     if (errno == EINTR) continue;
@@ -74,7 +66,7 @@ TableLock::~TableLock() { remove(); }
 /// While it is still ours; a file left behind would do no harm. One that is not empty is somebody else's.
 void TableLock::remove() {
   struct stat status {};
-  if (file_.is_open() && ::fstat(file_.fd(), &status) == 0 && status.st_size == 0 && same_file(file_.fd(), path_))
+  if (file_.is_open() && ::fstat(file_.fd(), &status) == 0 && status.st_size == 0 && is_name_of(path_, file_.fd()))
     ::unlink(path_.c_str());
   file_.close();
 }

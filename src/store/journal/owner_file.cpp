@@ -27,7 +27,7 @@ constexpr double silence_of_the_dead = 120.0;  ///< s; clocks of machines that s
 /// The bytes of the file.
 struct Owner {
   std::uint64_t magic = 0x0a4e574f57535353;  // "SSSWOWN\n" on a little-endian machine
-  Process process{};
+  ProcessId process{};
   Machine machine{};
   std::array<char, 64> host{};  ///< ends with a zero
 };
@@ -70,23 +70,18 @@ bool is_dead(const Found& found) {
   return std::difftime(std::time(nullptr), found.status.st_mtime) > silence_of_the_dead;
 }
 
-bool is_same_file(const struct stat& a, const std::string& path) {
-  struct stat b {};
-  return ::lstat(path.c_str(), &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
-}
-
 /// Takes the file of a dead owner away. It is moved first: should another process have replaced it meanwhile, it is
 /// that one's, and moved back.
 void bury(const Found& dead, const std::string& path) {
   const std::string grave = fmt::format("{}.{}", path, ::getpid());
   if (::rename(path.c_str(), grave.c_str()) != 0) return;
-  if (!is_same_file(dead.status, grave)) (void)!::link(grave.c_str(), path.c_str());
+  if (!is_name_of(grave, dead.file.fd())) (void)!::link(grave.c_str(), path.c_str());
   ::unlink(grave.c_str());
 }
 
 [[noreturn]] void refuse(const Found& found, const std::string& path, const std::string& table_path) {
   const std::string who = found.owner
-                              ? fmt::format("process {} on {}", found.owner->process.id, found.owner->host.data())
+                              ? fmt::format("process {} on {}", found.owner->process.number, found.owner->host.data())
                               : "another process";
   throw OutputError(
       fmt::format("another run is working on {}: {} holds {}. Wait for it to end or choose another output with -o; if "
@@ -115,8 +110,7 @@ OwnerFile::OwnerFile(std::string path, const std::string& table_path) : path_(st
 OwnerFile::~OwnerFile() {
   heart_.request_stop();
   if (heart_.joinable()) heart_.join();
-  struct stat mine {};
-  if (::fstat(file_.fd(), &mine) == 0 && is_same_file(mine, path_)) ::unlink(path_.c_str());
+  if (is_name_of(path_, file_.fd())) ::unlink(path_.c_str());
 }
 
 void OwnerFile::keep_beating(const std::stop_token& stop) const {

@@ -5,6 +5,7 @@
 
 #include "sigmasweep/model/exact_number.hpp"
 #include "store/rows/row_writer.hpp"
+#include "store/stored/stored_sweep.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -45,6 +46,12 @@ nlohmann::ordered_json json_of(std::span<const Field> fields, const Row& row) {
 
 RowFormat json_format() {
   return format_of<Json>("json", "an array of objects, one a row; null where there is no result");
+}
+
+nlohmann::ordered_json counts_by_status(std::span<const Row> rows) {
+  auto counts = nlohmann::ordered_json::object();
+  for (const auto& [name, count] : count_by_status(rows)) counts[std::string(name)] = count;
+  return counts;
 }
 
 }  // namespace sigmasweep

@@ -11,4 +11,7 @@ namespace sigmasweep {
 /// name, flags as true and false.
 nlohmann::ordered_json json_of(std::span<const Field> fields, const Row& row);
 
+/// How many rows have each status: an object of names and numbers; statuses without a row are left out.
+nlohmann::ordered_json counts_by_status(std::span<const Row> rows);
+
 }  // namespace sigmasweep

@@ -30,7 +30,7 @@ struct RankPage {
   std::uint64_t row_plus_1 = 0;  ///< the row that is computed; 0: none
   std::int64_t began = 0;        ///< when the row was begun
   std::int64_t beat = 0;         ///< the last heartbeat
-  Process process{};
+  ProcessId process{};
   Machine machine{};
   std::array<char, 64> host{};  ///< ends with a zero
 };

@@ -23,12 +23,12 @@ struct Verdict {
 std::optional<Verdict> ask_processes(const notes::Contents& found, const Machine& here) {
   bool some_here = false, all_here = true;
   for (const notes::RankPage& page : found.ranks) {
-    if (page.process.id == 0) continue;  // it has not begun
+    if (page.process.number == 0) continue;  // it has not begun
     const bool is_here = here.is_known() && page.machine == here;
     some_here = some_here || is_here;
     all_here = all_here && is_here;
     if (is_here && exists(page.process))
-      return Verdict{true, fmt::format("process {} of this machine exists", page.process.id)};
+      return Verdict{true, fmt::format("process {} of this machine exists", page.process.number)};
   }
   if (some_here && all_here) return Verdict{false, "its processes, which were on this machine, do not exist"};
   return std::nullopt;

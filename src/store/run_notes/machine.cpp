@@ -7,35 +7,10 @@
 #include <cerrno>
 #include <chrono>
 #include <fstream>
-#include <sstream>
-#include <string>
+
+#include "base/process.hpp"
 
 namespace sigmasweep {
-namespace {
-
-struct ProcessState {
-  char state = '\0';        ///< 'Z' has ended; '\0' unknown
-  std::uint64_t start = 0;  ///< clock ticks
-};
-
-/// Reads /proc/ID/stat (proc(5)): "ID (NAME) STATE ..."; the start is the 22nd word. The name may hold spaces and
-/// parentheses.
-ProcessState state_of(std::int64_t id) {
-  std::ifstream file("/proc/" + std::to_string(id) + "/stat");
-  std::string line;
-  std::getline(file, line);
-  const auto name_end = line.rfind(')');
-  if (name_end == std::string::npos) return {};
-  std::istringstream words(line.substr(name_end + 1));
-  ProcessState found;
-  words >> found.state;
-  std::string word;
-  for (int number = 4; number < 22; ++number) words >> word;
-  words >> found.start;
-  return words ? found : ProcessState{};
-}
-
-}  // namespace
 
 Machine this_machine() {
   Machine machine;
@@ -45,11 +20,11 @@ Machine this_machine() {
   return machine;
 }
 
-Process this_process() { return {::getpid(), state_of(::getpid()).start}; }
+ProcessId this_process() { return {::getpid(), stat_of_process(::getpid()).start}; }
 
-bool exists(const Process& process) {
-  if (::kill(static_cast<pid_t>(process.id), 0) != 0 && errno == ESRCH) return false;
-  const ProcessState found = state_of(process.id);
+bool exists(const ProcessId& process) {
+  if (::kill(static_cast<pid_t>(process.number), 0) != 0 && errno == ESRCH) return false;
+  const ProcessStat found = stat_of_process(process.number);
   if (found.state == '\0') return true;  // of another user, and hidden
   return found.state != 'Z' && found.state != 'X' && (process.start == 0 || found.start == process.start);
 }

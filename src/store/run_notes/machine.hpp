@@ -18,16 +18,16 @@ struct Machine {
 Machine this_machine();
 
 /// A process of a machine. Its number may be given again to another, which then starts later.
-struct Process {
-  std::int64_t id = 0;
+struct ProcessId {
+  std::int64_t number = 0;
   std::uint64_t start = 0;  ///< clock ticks since the machine started; 0: unknown
 };
 
-Process this_process();
+ProcessId this_process();
 
 /// Whether the process, which must be one of this machine, still exists. One that has ended but that its parent has not
 /// asked for yet does not.
-bool exists(const Process& process);
+bool exists(const ProcessId& process);
 
 /// The machine's monotonic clock, ns: the same for all its processes.
 std::int64_t monotonic_nanoseconds();

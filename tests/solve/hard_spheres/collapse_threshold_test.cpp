@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/hard_spheres/collision.hpp"
+#include "support/parameters.hpp"
 
 /// The largest restitution at which a touching column collapses.
 namespace sigmasweep {
@@ -23,22 +23,13 @@ constexpr Threshold thresholds[] = {{2, 0.1715729, 0.1116744}, {3, 0.3333333, 0.
 
 /// With speeds followed down to 1e-290 instead of 1e-16.
 bool collapses_in_the_end(std::int64_t N, double epsilon, Wall wall) {
-  Parameters p;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.wall = wall;
+  const auto column = reduced_column<double>(hard_column({.epsilon = epsilon, .N = N, .wall = wall}));
   const HardSphereSettings settings{.predict_collapse = false, .collapsed_speed = 1e-290};
-  return hard_sphere_collision(reduced_column<double>(complete(p, GapParameter::s0)), settings, {.settle = 0.0})
-             .status == Status::collapsed;
+  return hard_sphere_collision(column, settings, {.settle = 0.0}).status == Status::collapsed;
 }
 
 bool collapses(std::int64_t N, double epsilon, Wall wall) {
-  Parameters p;
-  p.method = Method::ed;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.wall = wall;
-  return simulate_hard_spheres(complete(p, GapParameter::s0)).status == Status::collapsed;
+  return simulate_hard_spheres(hard_column({.epsilon = epsilon, .N = N, .wall = wall})).status == Status::collapsed;
 }
 
 /// Where collapse ends, between a restitution at which there is and one at which there is none.
@@ -73,13 +64,7 @@ TEST(CollapseBisected, TwoAndThreeBeads) {
 }
 
 SimulationResult falling(std::int64_t N, double epsilon, Wall wall) {
-  Parameters p;
-  p.method = Method::ed;
-  p.N = N;
-  p.epsilon = epsilon;
-  p.wall = wall;
-  p.s0 = 1e-5;
-  return simulate_hard_spheres(complete(p, GapParameter::s0));
+  return simulate_hard_spheres(hard_column({.s0 = 1e-5, .epsilon = epsilon, .N = N, .wall = wall}));
 }
 
 // With gaps no energy is left long before the collisions come thick and fast, or stop: which of the two it is, the
