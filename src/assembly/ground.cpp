@@ -1,5 +1,8 @@
 #include "assembly/ground.hpp"
 
+#include <boost/math/tools/roots.hpp>
+#include <cstdint>
+
 namespace sigmasweep {
 namespace {
 
@@ -99,12 +102,10 @@ auto Plate::piece_from(double t, double from) const -> Piece {
 
 /// The time between low and high at which the closing speed, which falls from positive to negative, is 0.
 double Plate::highest(const ContactState<double>& entry, double t, double low, double high) const {
-  for (int i = 0; i < bisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    if (!(middle > low && middle < high)) break;
-    (flight(entry, t, middle).u > 0.0 ? low : high) = middle;
-  }
-  return low;
+  const auto closing_speed = [&](double elapsed) { return flight(entry, t, elapsed).u; };
+  const boost::math::tools::eps_tolerance<double> last_bit(std::numeric_limits<double>::digits);
+  std::uintmax_t most = bisections;
+  return boost::math::tools::toms748_solve(closing_speed, low, high, last_bit, most).first;
 }
 
 /// The only time between low and high at which the overlap rises through 0. At low it is below 0, or 0 and falling; at

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "store/build_info.hpp"
+#include "store/library_versions.hpp"
 
 namespace sigmasweep {
 

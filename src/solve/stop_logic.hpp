@@ -9,8 +9,8 @@
 
 namespace sigmasweep {
 
-/// Decides when a run of an event loop gives up: after too many contacts, too much work, or with no time left. Every
-/// event loop asks it before each event.
+/// Decides when a run gives up: after too many contacts, too much work, or with no time left. Event loops ask it before
+/// each event, fixed steps after each step.
 class StopLogic {
  public:
   /// A solver's own limits stand in for those that are 0.
@@ -21,10 +21,13 @@ class StopLogic {
 
   /// Status::ok: go on. `cost`: work since the last question, for the budget's clock.
   Status why_stop(std::uint64_t contacts, std::uint64_t work, std::uint64_t cost) const {
-    if (contacts >= limits_.event_limit || work >= limits_.work_limit) return Status::event_limit;
-    if (limits_.budget && limits_.budget->is_over(cost)) return Status::time_limit;
-    return Status::ok;
+    return limits_reached(contacts, work) ? Status::event_limit : time_is_over(cost) ? Status::time_limit : Status::ok;
   }
+  /// The two halves of why_stop(), for loops that seldom look at the clock.
+  bool limits_reached(std::uint64_t contacts, std::uint64_t work) const {
+    return contacts >= limits_.event_limit || work >= limits_.work_limit;
+  }
+  bool time_is_over(std::uint64_t cost) const { return limits_.budget && limits_.budget->is_over(cost); }
 
   std::uint64_t event_limit() const { return limits_.event_limit; }
   double settle() const { return limits_.settle; }

@@ -17,8 +17,4 @@ const BuildInfo& build_info();
 /// Program version, compiler and flags: the last digits of a result may depend on these, besides the physics version.
 std::string build_name();
 
-/// Versions of the libraries that the program runs with. May be called before MPI_Init.
-std::string mpi_version();
-std::string hdf5_version();
-
 }  // namespace sigmasweep

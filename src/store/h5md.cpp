@@ -20,6 +20,7 @@
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/model/relevance.hpp"
+#include "sigmasweep/sweep/content_key.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/build_info.hpp"
 #include "store/hdf5/open.hpp"

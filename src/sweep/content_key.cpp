@@ -1,3 +1,5 @@
+#include "sigmasweep/sweep/content_key.hpp"
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -7,7 +9,6 @@
 #include "sigmasweep/model/exact_number.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/physics_version.hpp"
-#include "sigmasweep/sweep/sweep.hpp"
 
 namespace sigmasweep {
 

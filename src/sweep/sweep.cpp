@@ -14,7 +14,8 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "sweep/spec/document.hpp"
-#include "sweep/spec/toml_guard.hpp"
+#include "sweep/spec/trajectory.hpp"
+#include "sweep/toml/toml_guard.hpp"
 
 namespace sigmasweep {
 namespace {

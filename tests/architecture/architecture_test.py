@@ -12,21 +12,6 @@ MAX_LINES_OF_A_FUNCTION = 60  # a screen
 MAX_FILES_THAT_ASK_FOR_THE_GEOMETRY = 12
 ASKS_FOR_THE_GEOMETRY = re.compile(r"is_vibrated\(|is_lattice\(|Geometry::|geometry_of")
 
-# What does not keep a rule yet, by file: these lists may only become shorter.
-UPWARD = set()
-FUNCTIONS_ELSEWHERE = {
-    "include/sigmasweep/sweep/sweep.hpp",
-    "src/solve/exact/lattice/collision.hpp",
-    "src/solve/exact/lattice/energies.hpp",
-    "src/solve/exact/lattice/regroup.hpp",
-    "src/solve/exact/lattice/schedule.hpp",
-    "src/solve/exact/lattice/state.hpp",
-    "src/solve/exact/lattice/vibrated.hpp",
-    "src/store/build_info.hpp",
-    "src/store/table/table.hpp",
-    "src/sweep/spec/tables.hpp",
-}
-
 
 class Rooms(unittest.TestCase):
     maxDiff = None
@@ -38,7 +23,6 @@ class Rooms(unittest.TestCase):
         upward = [f"{path}:{line}: {included}" for path in tree.files(".cpp", ".hpp")
                   for line, included in tree.includes(path)
                   if (file := tree.file_of(included, path)) and
-                  path not in UPWARD and
                   tree.ROOMS.index(tree.room_of(file)) > tree.ROOMS.index(tree.room_of(path))]
         self.assertEqual(upward, [])
 
@@ -60,7 +44,7 @@ class Rooms(unittest.TestCase):
         for room in tree.ROOMS:
             reached[room] = {room}.union(*(reached.get(other, set()) for other in tree.links(room)))
         missing = {f"{tree.room_of(path)} includes {tree.room_of(file)}" for path in tree.files(".cpp", ".hpp")
-                   if path not in UPWARD for _, included in tree.includes(path) if (file := tree.file_of(included, path))
+                   for _, included in tree.includes(path) if (file := tree.file_of(included, path))
                    and tree.room_of(file) not in reached[tree.room_of(path)]}
         self.assertEqual(sorted(missing), [])
 
@@ -85,7 +69,7 @@ class Headers(unittest.TestCase):
     def test_functions_are_defined_in_the_source_of_their_headers_name(self):
         elsewhere = []
         sources = {path.removesuffix(".in"): tree.plain(tree.read(path)).replace("= {}", "") for path in tree.files(".cpp", ".hpp", ".in")}
-        for header in set(tree.files(".hpp")) - FUNCTIONS_ELSEWHERE:
+        for header in tree.files(".hpp"):
             stem = re.sub(r"^(include/sigmasweep|src)/|\.hpp$", "", header)
             # Code that is compiled once a number type stands in several files: stem.hpp, stem_impl.hpp, stem_double.cpp.
             own = "".join(text for path, text in sources.items() if re.match(rf"(include/sigmasweep|src)/{stem}(_\w+)?\.", path))

@@ -104,6 +104,8 @@ def scopes(path):
         if token == "{" and depth == 0:
             head = pending.strip()
             found.append((tuple(stack), head + " {"))
+            while (shorter := re.sub(r"<[^<>]*>", " ", head)) != head:  # "class" of template parameters names no class
+                head = shorter
             namespace = re.match(r"(?:inline )?namespace\s*([\w:]*)", head)
             kind = re.search(r"(?:^|\s|>)(struct|class|enum class|enum|union)\s+(?:alignas\([^)]*\)\s*)?(\w+)[^()=]*$", head)
             stack.append(("namespace", namespace[1]) if namespace else

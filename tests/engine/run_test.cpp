@@ -18,7 +18,7 @@
 #include "engine/phases/write.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/solve/cost.hpp"
-#include "store/table/table.hpp"
+#include "store/table/read.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -1,5 +1,5 @@
 // Whatever the bytes of a table: what was stored, or a refusal.
-#include "store/table/table.hpp"
+#include "store/table/read.hpp"
 
 #include <cstdlib>
 

@@ -1,4 +1,5 @@
 #include "sigmasweep/model/fields.hpp"
+#include "sigmasweep/sweep/content_key.hpp"
 
 #include <algorithm>
 #include <cmath>

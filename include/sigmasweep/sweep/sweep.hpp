@@ -100,7 +100,4 @@ class Sweep {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// The content key of a tuple: a hash of its parameters to the bit, without padding, and of the physics version.
-std::uint64_t content_key(const Parameters& parameters);
-
 }  // namespace sigmasweep

@@ -16,7 +16,8 @@
 #include "sigmasweep/base/errors.hpp"
 #include "store/stored/stored_sweep.hpp"
 #include "store/table/place.hpp"
-#include "store/table/table.hpp"
+#include "store/table/read.hpp"
+#include "store/table/write.hpp"
 
 namespace sigmasweep {
 namespace {

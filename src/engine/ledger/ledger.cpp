@@ -13,6 +13,7 @@
 #include "engine/ledger/reuse.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/physics_version.hpp"
+#include "sigmasweep/sweep/content_key.hpp"
 #include "store/stored/stored_sweep.hpp"
 
 namespace sigmasweep {

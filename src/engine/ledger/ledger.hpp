@@ -8,7 +8,7 @@
 #include "sigmasweep/model/row.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/journal/journal.hpp"
-#include "store/table/table.hpp"
+#include "store/table/read.hpp"
 #include "sweep/slice.hpp"
 
 namespace sigmasweep {

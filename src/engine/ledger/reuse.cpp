@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/sweep/content_key.hpp"
 #include "store/stored/stored_sweep.hpp"
 
 namespace sigmasweep {

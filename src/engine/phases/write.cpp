@@ -6,7 +6,7 @@
 #include "engine/report/provenance.hpp"
 #include "engine/stop/deadline.hpp"
 #include "engine/stop/last_resort.hpp"
-#include "store/table/table.hpp"
+#include "store/table/write.hpp"
 
 namespace sigmasweep {
 

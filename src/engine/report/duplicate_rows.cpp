@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "sigmasweep/sweep/content_key.hpp"
+
 namespace sigmasweep {
 
 std::string duplicate_warning(const Sweep& sweep) {

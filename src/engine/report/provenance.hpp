@@ -3,7 +3,7 @@
 #include <string>
 
 #include "sigmasweep/sweep/sweep.hpp"
-#include "store/table/table.hpp"
+#include "store/table/table_info.hpp"
 
 /// Where and when a result was made.
 namespace sigmasweep {

@@ -22,7 +22,7 @@ class CollisionCourse {
     return Ending::event_limit(system.beads());
   }
   template <class System>
-  static constexpr double work_limit() {
+  static constexpr std::uint64_t work_limit() {
     return Ending::max_work;
   }
   /// Where time t lies within the last `steps`, 0 to 1. In steps.

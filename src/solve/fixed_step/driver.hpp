@@ -6,7 +6,7 @@
 
 #include "sigmasweep/model/result.hpp"
 #include "solve/fixed_step/step_options.hpp"
-#include "solve/run_limits.hpp"
+#include "solve/stop_logic.hpp"
 
 /// The loop over fixed steps, one for columns and lattices, for walls and vibrated plates. It has three parts.
 ///
@@ -52,12 +52,11 @@ class FixedStepDriver {
 
   FixedStepDriver(System& system, Course& course, const RunLimits& limits, const StepOptions& options,
                   Observer& observer)
-      : system_(system), course_(course), limits_(limits), options_(options), observer_(observer) {
-    if (limits_.event_limit == 0) limits_.event_limit = Course::event_limit(system);
-    const double work =
-        limits_.work_limit == 0 ? Course::template work_limit<System>() : static_cast<double>(limits_.work_limit);
-    step_limit_ = work / static_cast<double>(system.beads());
-  }
+      : system_(system),
+        course_(course),
+        stop_(limits, Course::event_limit(system), Course::template work_limit<System>()),
+        options_(options),
+        observer_(observer) {}
 
   Outcome operator()() {
     apply(course_.begin(system_, observer_));
@@ -109,12 +108,10 @@ class FixedStepDriver {
     apply(course_.after_step(system_, observer_, now_, is_on()));
     if (steps_ % Course::steps_between_checks == 0) {
       apply(course_.check(system_, is_on()));
-      if (limits_.budget && limits_.budget->is_over(Course::steps_between_checks * system_.contact_count()))
-        give_up(Status::time_limit);
+      if (stop_.time_is_over(Course::steps_between_checks * system_.contact_count())) give_up(Status::time_limit);
     }
     if (steps_ % Course::steps_between_outlooks == 0 && is_on()) apply(course_.look_ahead(system_, now_));
-    if (outcome_.contacts > limits_.event_limit || static_cast<double>(steps_) > step_limit_)
-      give_up(Status::event_limit);
+    if (stop_.limits_reached(outcome_.contacts, steps_ * system_.beads())) give_up(Status::event_limit);
     now_ = course_.clock(now_);
   }
 
@@ -160,10 +157,9 @@ class FixedStepDriver {
 
   System& system_;
   Course& course_;
-  RunLimits limits_;
+  StopLogic stop_;
   StepOptions options_;
   Observer& observer_;
-  double step_limit_ = 0.0;
   double now_ = 0.0;  ///< time in steps, skipped ones included; on a plate since its period began
   double remainder_ = 0.0;
   std::uint64_t steps_ = 0;

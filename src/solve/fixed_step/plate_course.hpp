@@ -24,8 +24,8 @@ class PlateCourse {
     return std::numeric_limits<std::uint64_t>::max();
   }
   template <class System>
-  static constexpr double work_limit() {
-    return std::numeric_limits<double>::infinity();
+  static constexpr std::uint64_t work_limit() {
+    return std::numeric_limits<std::uint64_t>::max();
   }
   /// Where time t lies within the last step, 0 to 1. In steps since the period began.
   static double fraction(double t, double now, double /*steps*/) { return t - (now - 1.0); }

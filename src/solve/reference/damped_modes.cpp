@@ -32,8 +32,8 @@ long double sin_of(std::size_t a, std::size_t b) {
 /// cos(pi a/b) = sin(pi (2a + b)/(2b))
 long double cos_of(std::size_t a, std::size_t b) { return sin_of(2 * a + b, 2 * b); }
 
-Modes make(RunKind kind, std::size_t c) {
-  Modes modes;
+DampedModes make(RunKind kind, std::size_t c) {
+  DampedModes modes;
   modes.shape.resize(c * c);
   modes.analysis.resize(c * c);
   for (std::size_t j = 0; j < c; ++j) {
@@ -61,7 +61,7 @@ Modes make(RunKind kind, std::size_t c) {
 
 }  // namespace
 
-const Modes& ModeTables::of(RunKind kind, std::size_t contacts) {
+const DampedModes& ModeTables::of(RunKind kind, std::size_t contacts) {
   const auto found = tables_.find({kind, contacts});
   if (found != tables_.end()) return found->second;
   return tables_.emplace(std::pair(kind, contacts), make(kind, contacts)).first->second;

@@ -14,7 +14,7 @@ enum class RunKind { free, at_wall, at_matched_wall };
 /// Shapes and eigenvalues of a run of c closed contacts, x'' = -A W (K x + C x'). W is 1 but for a matched wall's 2;
 /// A has 2 on the diagonal, 1 at the wall, and -1 beside it. With x_m = sum_j shape(m, j) y_j the modes separate:
 ///     y_j'' + lambda_j (C y_j' + K y_j) = 0,  lambda_j = 2 - 2 cos theta_j.
-struct Modes {
+struct DampedModes {
   std::vector<long double> lambda;
   std::vector<long double> shape;     ///< [m c + j]
   std::vector<long double> analysis;  ///< [m c + j]: y_j = sum_m analysis(m, j) x_m
@@ -24,10 +24,10 @@ struct Modes {
 /// All that was asked for, made once.
 class ModeTables {
  public:
-  const Modes& of(RunKind kind, std::size_t contacts);
+  const DampedModes& of(RunKind kind, std::size_t contacts);
 
  private:
-  std::map<std::pair<RunKind, std::size_t>, Modes> tables_;
+  std::map<std::pair<RunKind, std::size_t>, DampedModes> tables_;
 };
 
 /// y'' + 2 mu y' + omega2 y = 0 over a time t: (y, v) -> (yy y + yv v, vy y + vv v).

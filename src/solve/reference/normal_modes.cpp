@@ -22,7 +22,7 @@ struct State {
 /// Closed contacts lo..hi that move together, beads lo-1..hi (bead -1 is the wall); contacts and beads from 0.
 struct Run {
   std::size_t lo, hi;
-  const Modes* modes;
+  const DampedModes* modes;
   std::vector<Real> y, v;                   ///< the modes, at the present time
   std::vector<Real> y_end, v_end;           ///< and at the end of the step
   std::vector<Real> second, third, fourth;  ///< bounds of the derivatives of y from now on

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "sigmasweep/sweep/content_key.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/build_info.hpp"
 #include "store/table/packing.hpp"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "store/table/table.hpp"
+#include "store/table/read.hpp"
 
 namespace sigmasweep {
 

@@ -11,6 +11,7 @@
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/model/relevance.hpp"
+#include "sigmasweep/sweep/content_key.hpp"
 #include "store/build_info.hpp"
 
 namespace sigmasweep {

@@ -10,7 +10,7 @@
 
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/stored/stored_rows.hpp"
-#include "store/table/table.hpp"
+#include "store/table/table_info.hpp"
 
 namespace sigmasweep {
 

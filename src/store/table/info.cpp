@@ -2,30 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <utility>
 
 #include "sigmasweep/model/physics_version.hpp"
 #include "store/build_info.hpp"
 #include "store/hdf5/attributes.hpp"
 #include "store/hdf5/long_text.hpp"
+#include "store/library_versions.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/types.hpp"
 
 namespace sigmasweep {
-
-std::string mpi_version() {
-  std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
-  int length = 0;
-  check_mpi(MPI_Get_library_version(text.data(), &length), "cannot ask MPI for its version");
-  return text.data();
-}
-
-std::string hdf5_version() {
-  unsigned major = 0, minor = 0, release = 0;
-  check(H5get_libversion(&major, &minor, &release), "cannot ask HDF5 for its version");
-  return fmt::format("{}.{}.{}", major, minor, release);
-}
 
 TableInfo common_info(const RankGroup& group, TableInfo info) {
   for (std::string* text : {&info.title, &info.spec_text, &info.host, &info.start})

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "mpi/rank_group.hpp"
-#include "store/table/table.hpp"
+#include "store/table/table_info.hpp"
 
 /// The root attributes of a table.
 namespace sigmasweep {

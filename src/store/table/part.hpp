@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "mpi/rank_group.hpp"
-#include "store/table/table.hpp"
+#include "sigmasweep/model/fields.hpp"
+#include "sigmasweep/model/row.hpp"
+#include "store/table/table_info.hpp"
 
 /// The steps of write_table(): all ranks write PATH.part, then read it back.
 namespace sigmasweep {

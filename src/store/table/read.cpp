@@ -1,3 +1,5 @@
+#include "store/table/read.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -11,7 +13,6 @@
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
 #include "store/table/packing.hpp"
-#include "store/table/table.hpp"
 #include "store/table/types.hpp"
 
 namespace sigmasweep {

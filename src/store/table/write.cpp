@@ -1,3 +1,5 @@
+#include "store/table/write.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -16,7 +18,6 @@
 #include "store/hdf5/seal.hpp"
 #include "store/table/packing.hpp"
 #include "store/table/part.hpp"
-#include "store/table/table.hpp"
 
 namespace sigmasweep {
 namespace {

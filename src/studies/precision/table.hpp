@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sigmasweep/model/fields.hpp"
-#include "store/table/table.hpp"
+#include "store/table/table_info.hpp"
 #include "studies/precision/study.hpp"
 
 namespace sigmasweep {

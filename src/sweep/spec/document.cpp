@@ -7,7 +7,10 @@
 
 #include "model/fields/conditions.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sweep/spec/parse_toml.hpp"
+#include "sweep/spec/plot.hpp"
+#include "sweep/spec/run.hpp"
+#include "sweep/spec/trajectory.hpp"
+#include "sweep/toml/parse_toml.hpp"
 
 namespace sigmasweep::spec {
 namespace {

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "sigmasweep/sweep/sweep.hpp"
+#include "sweep/spec/entry.hpp"
 #include "sweep/spec/mistakes.hpp"
-#include "sweep/spec/tables.hpp"
+#include "sweep/spec/sweep.hpp"
 
 namespace sigmasweep::spec {
 

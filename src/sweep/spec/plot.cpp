@@ -1,3 +1,5 @@
+#include "sweep/spec/plot.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,6 @@
 #include "sweep/expression/formula.hpp"
 #include "sweep/expression/where.hpp"
 #include "sweep/spec/mistakes.hpp"
-#include "sweep/spec/tables.hpp"
 
 namespace sigmasweep::spec {
 namespace {

@@ -1,7 +1,8 @@
+#include "sweep/spec/run.hpp"
+
 #include <array>
 
 #include "sweep/spec/mistakes.hpp"
-#include "sweep/spec/tables.hpp"
 
 namespace sigmasweep::spec {
 namespace {

@@ -1,3 +1,5 @@
+#include "sweep/spec/sweep.hpp"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -11,7 +13,6 @@
 #include "sweep/spec/check.hpp"
 #include "sweep/spec/mistakes.hpp"
 #include "sweep/spec/representatives.hpp"
-#include "sweep/spec/tables.hpp"
 #include "sweep/spec/values.hpp"
 
 namespace sigmasweep::spec {

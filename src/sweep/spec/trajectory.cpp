@@ -1,3 +1,5 @@
+#include "sweep/spec/trajectory.hpp"
+
 #include <array>
 #include <cmath>
 
@@ -7,7 +9,6 @@
 #include "sigmasweep/model/geometry.hpp"
 #include "sweep/expression/where.hpp"
 #include "sweep/spec/mistakes.hpp"
-#include "sweep/spec/tables.hpp"
 
 namespace sigmasweep::spec {
 namespace {

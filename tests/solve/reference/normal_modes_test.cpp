@@ -58,7 +58,7 @@ TEST(NormalModes, ShapesAreEigenvectors) {
   ModeTables tables;
   for (const RunKind kind : {RunKind::free, RunKind::at_wall, RunKind::at_matched_wall})
     for (std::size_t c = 1; c <= 12; ++c) {
-      const Modes& modes = tables.of(kind, c);
+      const DampedModes& modes = tables.of(kind, c);
       const auto shape = [&](std::size_t m, std::size_t j) { return modes.shape[m * c + j]; };
       for (std::size_t j = 0; j < c; ++j)
         for (std::size_t m = 0; m < c; ++m) {

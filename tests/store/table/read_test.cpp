@@ -8,7 +8,7 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "store/table/checksum.hpp"
-#include "store/table/table.hpp"
+#include "store/table/read.hpp"
 #include "support/store_samples.hpp"
 
 namespace sigmasweep {

@@ -14,7 +14,8 @@
 #include "sigmasweep/base/errors.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/table/part.hpp"
-#include "store/table/table.hpp"
+#include "store/table/read.hpp"
+#include "store/table/write.hpp"
 #include "support/store_samples.hpp"
 
 /// Stands in for the C library's while the tests run: a file system that can set no space aside.

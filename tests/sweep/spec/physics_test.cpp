@@ -10,6 +10,7 @@
 
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/relevance.hpp"
+#include "sigmasweep/sweep/content_key.hpp"
 #include "support/spec_refusal.hpp"
 
 // Laws, materials, random columns and rules of hard spheres in a spec: what may be given, and what a tuple then is.

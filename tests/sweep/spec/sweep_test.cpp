@@ -11,6 +11,7 @@
 #include <xxhash.h>
 
 #include "sigmasweep/base/errors.hpp"
+#include "sigmasweep/sweep/content_key.hpp"
 #include "support/columns.hpp"
 
 using namespace sigmasweep;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/exact/lattice/events.hpp"
+#include "solve/observer/lattice_samples.hpp"
 #include "solve/to_si.hpp"
 #include "solve/twin_runs.hpp"
 
@@ -55,6 +57,18 @@ double ending_uncertainty(const Lattice<Real>& lattice, const LatticeOutcome<Rea
 constexpr double coarsest = 1e-8;
 
 }  // namespace
+
+template <class Real>
+LatticeOutcome<Real> lattice_collision(const Lattice<Real>& lattice, double accuracy, const RunLimits& limits) {
+  NullObserver nobody;
+  return LatticeEvents<Real>(lattice, accuracy, limits).run(nobody);
+}
+template LatticeOutcome<double> lattice_collision(const Lattice<double>&, double, const RunLimits&);
+template LatticeOutcome<long double> lattice_collision(const Lattice<long double>&, double, const RunLimits&);
+
+void observe_lattice(const Lattice<double>& lattice, LatticeSamples& samples) {
+  LatticeEvents<double>(lattice, 1e-12, {}).run(samples);
+}
 
 SimulationResult simulate_lattice(const Parameters& p, ComputeBudget* budget) {
   return refine_until(p.tolerance, [&]<class Real>(double local_error) {

@@ -5,9 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "solve/exact/lattice/collision.hpp"
-#include "solve/exact/lattice/vibrated.hpp"
-#include "solve/fixed_step/lattice/vibrated.hpp"
 #include "solve/observer/lattice_samples.hpp"
 #include "solve/observer/lattice_statistics.hpp"
 
@@ -337,26 +334,13 @@ LatticeOutcome<Real> LatticeEvents<Real, Ground>::follow(Watcher& watcher) requi
   return outcome;
 }
 
-template <class Real>
-LatticeOutcome<Real> lattice_collision(const Lattice<Real>& lattice, double accuracy, const RunLimits& limits) {
-  NullObserver nobody;
-  return LatticeEvents<Real>(lattice, accuracy, limits).run(nobody);
-}
-template LatticeOutcome<double> lattice_collision(const Lattice<double>&, double, const RunLimits&);
-template LatticeOutcome<long double> lattice_collision(const Lattice<long double>&, double, const RunLimits&);
-
-void observe_lattice(const Lattice<double>& lattice, LatticeSamples& samples) {
-  LatticeEvents<double>(lattice, 1e-12, {}).run(samples);
-}
-
-template <class Watcher>
-LatticeOutcome<double> follow_lattice(const Lattice<double>& lattice, const Plate& plate, double accuracy,
-                                      const RunLimits& limits, Watcher& watcher) {
-  return LatticeEvents<double, Plate>(lattice, accuracy, limits, plate).follow(watcher);
-}
-template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, double, const RunLimits&,
-                                               LatticeStatistics&);
-template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, double, const RunLimits&,
-                                               VibratedLatticeSamples&);
+template class LatticeEvents<double>;
+template class LatticeEvents<long double>;
+template class LatticeEvents<double, Plate>;
+template LatticeOutcome<double> LatticeEvents<double>::run(NullObserver&);
+template LatticeOutcome<long double> LatticeEvents<long double>::run(NullObserver&);
+template LatticeOutcome<double> LatticeEvents<double>::run(LatticeSamples&);
+template LatticeOutcome<double> LatticeEvents<double, Plate>::follow(LatticeStatistics&);
+template LatticeOutcome<double> LatticeEvents<double, Plate>::follow(VibratedLatticeSamples&);
 
 }  // namespace sigmasweep

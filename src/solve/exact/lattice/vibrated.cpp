@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "solve/exact/lattice/events.hpp"
 #include "solve/observer/lattice_samples.hpp"
+#include "solve/observer/lattice_statistics.hpp"
 #include "solve/run_on_plate.hpp"
 
 namespace sigmasweep {
@@ -22,6 +24,16 @@ RunLimits limits_for(const Parameters& p, double periods, ComputeBudget* budget)
 double accuracy_on(const Plate& plate) { return 1e-10 * plate.A0 * plate.omega; }
 
 }  // namespace
+
+template <class Watcher>
+LatticeOutcome<double> follow_lattice(const Lattice<double>& lattice, const Plate& plate, double accuracy,
+                                      const RunLimits& limits, Watcher& watcher) {
+  return LatticeEvents<double, Plate>(lattice, accuracy, limits, plate).follow(watcher);
+}
+template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, double, const RunLimits&,
+                                               LatticeStatistics&);
+template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Plate&, double, const RunLimits&,
+                                               VibratedLatticeSamples&);
 
 SimulationResult simulate_lattice_on_plate(const Parameters& p, ComputeBudget* budget) {
   return run_lattice_on_plate(

@@ -16,7 +16,7 @@ namespace sigmasweep {
 class ColumnEnding {
  public:
   static constexpr std::uint64_t steps_between_outlooks = 65536;
-  static constexpr double max_work = 1e11;  ///< steps times contacts: some minutes
+  static constexpr std::uint64_t max_work = 100'000'000'000;  ///< steps times contacts: some minutes
   static std::uint64_t event_limit(std::size_t /*beads*/) { return std::numeric_limits<std::uint64_t>::max(); }
 
   explicit ColumnEnding(double settle) : settle_(settle) {}

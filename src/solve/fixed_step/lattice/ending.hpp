@@ -15,7 +15,7 @@ namespace sigmasweep {
 class LatticeEnding {
  public:
   static constexpr std::uint64_t steps_between_outlooks = 64;
-  static constexpr double max_work = 1e10;  ///< steps times beads: some minutes
+  static constexpr std::uint64_t max_work = 10'000'000'000;  ///< steps times beads: some minutes
   static std::uint64_t event_limit(std::size_t beads) { return 100'000 + 1'000 * beads; }
 
   LatticeEnding(const Lattice<double>& lattice, double dt, double settle)

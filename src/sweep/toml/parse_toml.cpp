@@ -1,4 +1,4 @@
-#include "sweep/spec/parse_toml.hpp"
+#include "sweep/toml/parse_toml.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 
 #include "base/text/numbers.hpp"
 #include "sweep/spec/entry.hpp"
-#include "sweep/spec/toml_guard.hpp"
+#include "sweep/toml/toml_guard.hpp"
 
 namespace sigmasweep::spec {
 namespace {

@@ -1,4 +1,4 @@
-#include "sweep/spec/toml_guard.hpp"
+#include "sweep/toml/toml_guard.hpp"
 
 #include <algorithm>
 

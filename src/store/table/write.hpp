@@ -1,10 +1,10 @@
 #pragma once
 
 #include <hdf5.h>  // brings MPI_Comm with the parallel library
+
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/row.hpp"
@@ -26,16 +26,5 @@ namespace sigmasweep {
 /// than written). /results is the same to the bit for any number of ranks and any blocks.
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
                  std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block);
-
-/// A table read back on one rank.
-struct Table {
-  TableInfo info;
-  std::vector<Field> columns;  ///< what /results has
-  std::vector<Row> rows;       ///< with timings; members that the file lacks keep their defaults; index: the spec's row
-};
-
-/// Reads a table without MPI. Members are found by name and converted; unknown ones are passed over. Throws
-/// InputNotFound, or IoError for a file that is not a whole sigmasweep table, or not any more the one that was written.
-Table read_table(const std::string& path);
 
 }  // namespace sigmasweep

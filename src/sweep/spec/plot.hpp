@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "sigmasweep/sweep/sweep.hpp"
+#include "sweep/spec/entry.hpp"
+#include "sweep/spec/sweep.hpp"
+
+namespace sigmasweep::spec {
+
+/// The plot of a spec without [plot], and the defaults of [plot].
+PlotSpec usual_plot(const Grid& grid);
+/// Reads [plot], one or several. Throws SpecError.
+std::vector<PlotSpec> read_plots(const Entry& plot, const PlotSpec& usual);
+
+}  // namespace sigmasweep::spec

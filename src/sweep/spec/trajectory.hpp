@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sigmasweep/sweep/sweep.hpp"
+#include "sweep/spec/entry.hpp"
+
+namespace sigmasweep::spec {
+
+/// Checks the keys of the table [trajectory] and their values, but for the condition on rows. Throws SpecError.
+void require_trajectory_keys(const Entry& trajectory);
+/// The table [trajectory], with the rows of the sweep that satisfy its condition. Throws SpecError.
+TrajectorySpec read_trajectory(const Entry& trajectory, const Sweep& sweep);
+
+}  // namespace sigmasweep::spec
