@@ -1,0 +1,8 @@
+#include "solve/exact/linear/side_by_side/advance.hpp"
+#include "solve/exact/linear/side_by_side/advance_impl.hpp"
+
+namespace sigmasweep::side_by_side {
+
+void advance(Columns<4>& columns) { advance_columns<4>(columns); }
+
+}  // namespace sigmasweep::side_by_side

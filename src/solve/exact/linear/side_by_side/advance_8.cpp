@@ -1,0 +1,8 @@
+#include "solve/exact/linear/side_by_side/advance.hpp"
+#include "solve/exact/linear/side_by_side/advance_impl.hpp"
+
+namespace sigmasweep::side_by_side {
+
+void advance(Columns<8>& columns) { advance_columns<8>(columns); }
+
+}  // namespace sigmasweep::side_by_side

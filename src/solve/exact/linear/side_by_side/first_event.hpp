@@ -1,0 +1,278 @@
+#pragma once
+
+#include "solve/exact/linear/side_by_side/series.hpp"
+#include "solve/exact/linear/side_by_side/uncertain.hpp"
+
+/// The first contact of each lane to change its state within the step. Contacts are ruled out by bounds; of those that
+/// cannot be, a lane's most promising one is followed by Newton's method, and a second bound proves that its root is
+/// the first. What the bounds leave open, uncertain.cpp decides for that lane alone: no event is passed over.
+namespace sigmasweep::side_by_side {
+
+/// C(screen, p).
+struct Binomials {
+  double of[screen + 1]{};
+  constexpr Binomials() {
+    double c = 1.0;
+    for (int p = 0; p <= screen; c = c * (screen - p) / (p + 1), ++p) of[p] = c;
+  }
+};
+inline constexpr Binomials binomials;
+
+/// Of a polynomial whose term p on [0, 1] is b[p] C(screen, p): its coefficients in the Bernstein basis. They bound the
+/// polynomial from both sides.
+template <int W>
+SIGMASWEEP_LANEWISE void to_bernstein(Pack<W> (&b)[screen + 1]) {
+#pragma GCC unroll 8
+  for (int level = 1; level <= screen; ++level)
+#pragma GCC unroll 8
+    for (int p = screen; p >= level; --p) b[p] = b[p] + b[p - 1];
+}
+
+/// limit^p/C(screen, p), and limit^(screen+1).
+template <int W>
+struct Scales {
+  Pack<W> of[screen + 1], beyond;
+  SIGMASWEEP_LANEWISE explicit Scales(Pack<W> limit) {
+    Pack<W> power(1.0);
+#pragma GCC unroll 9
+    for (int p = 0; p <= screen; ++p) {
+      of[p] = power * Pack<W>(1.0 / binomials.of[p]);
+      power = power * limit;
+    }
+    beyond = power;
+  }
+};
+
+/// Contact k keeps its state as long as its distance stays positive: x while it is closed, -x while it is open; if x =
+/// 0 at the start, the distance over t. The Bernstein coefficients of that on [0, limit].
+template <int W>
+SIGMASWEEP_LANEWISE void distance(const Columns<W>& c, int k, const Scales<W>& scales, Pack<W> (&b)[screen + 1]) {
+  using P = Pack<W>;
+  const P start = P::load(c.a[k]);
+  const Mask<W> at_zero = start == P(0.0), open = ~Mask<W>::load(c.closed[k]);
+  P term = start;
+#pragma GCC unroll 9
+  for (int p = 0; p <= screen; ++p) {
+    const P next = P::load(c.a[(p + 1) * c.N + k]);
+    b[p] = negated_where(open, select(at_zero, next, term) * scales.of[p]);
+    term = next;
+  }
+  to_bernstein<W>(b);
+}
+
+/// Where the control polygon first falls below 0, in 1/screen of the interval; if it does not, its first point that may
+/// hide a root.
+template <int W>
+SIGMASWEEP_LANEWISE Pack<W> first_fall(const Pack<W> (&b)[screen + 1], Pack<W> rest) {
+  using P = Pack<W>;
+  const P zero(0.0);
+  P place(0.0), above(1.0), below(-1.0), possible(0.0);
+  Mask<W> falls = Mask<W>::none();
+#pragma GCC unroll 8
+  for (int p = screen; p > 0; --p) {
+    const Mask<W> negative = b[p] < zero;
+    falls = falls | negative;
+    place = select(negative, P(double(p - 1)), place);
+    above = select(negative, b[p - 1], above);
+    below = select(negative, b[p], below);
+    possible = select(b[p] > rest, possible, P(double(p)));
+  }
+  const P fall = select(falls, place + above / (above - below), possible);
+  return where(b[0] > zero, fall);
+}
+
+/// Rules out, of the contacts, those that cannot change their state on [0, limit].
+template <int W>
+SIGMASWEEP_LANEWISE Mask<W> rule_out(Columns<W>& c, int k, Mask<W> suspects, const Scales<W>& scales, Pack<W> limit) {
+  using P = Pack<W>;
+  P b[screen + 1];
+  distance<W>(c, k, scales, b);
+  const P rest = P::load(c.rest[k]) * scales.beyond;
+  P lowest = b[0];
+#pragma GCC unroll 8
+  for (int p = 1; p <= screen; ++p) lowest = least(b[p], lowest);
+  const Mask<W> suspect = suspects & ~(lowest > rest);
+  if (any(suspect)) (first_fall<W>(b, rest) * P(1.0 / screen) * limit).store(c.estimate[k]);
+  return suspect;
+}
+
+/// The same of the whole step, and bounds of the closed contacts' overlaps.
+template <int W>
+SIGMASWEEP_LANEWISE Mask<W> examine(Columns<W>& c, int k, const Scales<W>& scales, Mask<W> active) {
+  using P = Pack<W>;
+  P even(0.0), odd(0.0);
+#pragma GCC unroll 8
+  for (int p = screen + 2; p < order; p += 2) {
+    even = even + magnitude(P::load(c.a[p * c.N + k]));
+    odd = odd + magnitude(P::load(c.a[(p + 1) * c.N + k]));
+  }
+  const Mask<W> at_zero = P::load(c.a[k]) == P(0.0);
+  const P rest = ((even + odd) + magnitude(P::load(c.a[order * c.N + k]))) +
+                 where(~at_zero, magnitude(P::load(c.a[(screen + 1) * c.N + k])));
+  P b[screen + 1];
+  distance<W>(c, k, scales, b);
+  P lowest = b[0], highest = b[0];
+#pragma GCC unroll 8
+  for (int p = 1; p <= screen; ++p) {
+    lowest = least(b[p], lowest);
+    highest = most(b[p], highest);
+  }
+  rest.store(c.rest[k]);
+  (highest + rest).store(c.highest[k]);
+  const Mask<W> suspect = active & ~((lowest > rest) | ((rest == P(0.0)) & (lowest == rest)));
+  if (any(suspect)) (first_fall<W>(b, rest) * P(1.0 / screen)).store(c.estimate[k]);
+  return suspect;
+}
+
+/// The distance of contact k of lane l from its event becomes the lane's candidate.
+template <int W>
+SIGMASWEEP_LANEWISE void take_candidate(Columns<W>& c, int k, int l) {
+  const int N = c.N, shift = c.a[k][l] == 0.0;
+  const double sign = c.closed[k][l] ? 1.0 : -1.0;
+  for (int p = 0; p + shift <= order; ++p) c.candidate[p][l] = sign * c.a[(p + shift) * N + k][l];
+  if (shift) c.candidate[order][l] = 0.0;
+}
+
+/// The root of the candidates near `t` by Newton's method, each lane until it has converged; -1 where it has not.
+template <int W>
+SIGMASWEEP_LANEWISE Pack<W> root_near(const Columns<W>& c, Pack<W> t, Mask<W> wanted) {
+  using P = Pack<W>;
+  Mask<W> done = ~wanted, converged = Mask<W>::none();
+  for (int iteration = 0; iteration < 12 && any(~done); ++iteration) {
+    const P t2 = t * t;
+    P even = P::load(c.candidate[order]), odd(0.0), even_slope(0.0), odd_slope(0.0);
+#pragma GCC unroll 12
+    for (int p = order - 2; p >= 0; p -= 2) {
+      even_slope = fma(even_slope, t2, even);
+      even = fma(even, t2, P::load(c.candidate[p]));
+      odd_slope = fma(odd_slope, t2, odd);
+      odd = fma(odd, t2, P::load(c.candidate[p + 1]));
+    }
+    const P value = fma(t, odd, even);
+    const P slope = fma(t + t, fma(t, odd_slope, even_slope), odd);
+    const P step = value / slope, next = t - step;
+    const Mask<W> close = magnitude(step) < P(1e-8) * t;
+    const Mask<W> inside = (next > P(0.0)) & (next < P(2.0));
+    converged = converged | (~done & close & inside);
+    t = select(done, t, next);
+    done = done | close | ~inside;
+  }
+  return select(converged, t, P(-1.0));
+}
+
+/// Whether t > 0 is the candidate's first root on [0, limit], or, if it is beyond, there is none: with g(s) = (t - s)
+/// q(s) it is enough that q > 0 on [0, min(t, limit)].
+template <int W>
+SIGMASWEEP_LANEWISE Mask<W> is_first(const Columns<W>& c, Pack<W> t, Pack<W> limit) {
+  using P = Pack<W>;
+  const P end = least(t, limit);
+  P q[order];  // of the series that Horner's rule leaves
+  P r = P::load(c.candidate[order]);
+  for (int p = order - 1; p >= 0; --p) {
+    q[p] = P(0.0) - r;
+    r = fma(r, t, P::load(c.candidate[p]));
+  }
+  const Scales<W> scales(end);
+  P b[screen + 1], rest(0.0), power = scales.beyond;
+#pragma GCC unroll 9
+  for (int p = 0; p <= screen; ++p) b[p] = q[p] * scales.of[p];
+  for (int p = screen + 1; p < order; ++p) {
+    rest = fma(magnitude(q[p]), power, rest);
+    power = power * end;
+  }
+  to_bernstein<W>(b);
+  P lowest = b[0];
+#pragma GCC unroll 8
+  for (int p = 1; p <= screen; ++p) lowest = least(b[p], lowest);
+  return (t > P(0.0)) & (lowest > rest);
+}
+
+/// The suspects of one step.
+template <int W>
+struct Suspects {
+  int count = 0, contact[most_beads];
+  Mask<W> mask[most_beads];
+};
+
+template <int W>
+SIGMASWEEP_LANEWISE Mask<W> any_of(const Suspects<W>& suspects) {
+  Mask<W> some = Mask<W>::none();
+  for (int i = 0; i < suspects.count; ++i) some = some | suspects.mask[i];
+  return some;
+}
+
+/// In each lane of `wanted` the suspect that seems to be first becomes the candidate and is no suspect any more.
+template <int W>
+SIGMASWEEP_LANEWISE void take_candidates(Columns<W>& c, Suspects<W>& suspects, Mask<W> wanted, Pack<W>& contact,
+                                         Pack<W>& estimate) {
+  using P = Pack<W>;
+  contact = P(0.0);
+  estimate = P(9.0);
+  for (int i = 0; i < suspects.count; ++i) {
+    const int k = suspects.contact[i];
+    const P when = select(suspects.mask[i], P::load(c.estimate[k]), P(9.0));
+    const Mask<W> earlier = when < estimate;
+    contact = select(earlier, P(double(k)), contact);
+    estimate = least(when, estimate);
+  }
+  double contacts[W];
+  contact.store(contacts);
+  const unsigned lanes = lanes_of(wanted);
+  for (int l = 0; l < W; ++l)
+    if (lanes >> l & 1) take_candidate(c, int(contacts[l]), l);
+  for (int i = 0; i < suspects.count; ++i)
+    suspects.mask[i] = suspects.mask[i] & ~(contact == P(double(suspects.contact[i])));
+}
+
+/// Sets length and event of the lanes of `active`.
+template <int W>
+SIGMASWEEP_LANEWISE void find_first_event(Columns<W>& c, Mask<W> active) {
+  using P = Pack<W>;
+  Suspects<W> suspects;
+  {
+    const Scales<W> whole{P(1.0)};
+    for (int k = 0; k < c.N; ++k) {
+      const Mask<W> suspect = examine<W>(c, k, whole, active);
+      suspect.store(c.suspect[k]);
+      if (!any(suspect)) continue;
+      suspects.contact[suspects.count] = k;
+      suspects.mask[suspects.count++] = suspect;
+    }
+  }
+  P limit = where(active, P(1.0)), event(-1.0);
+  Mask<W> uncertain = Mask<W>::none();
+  for (int round = 0; round < 4; ++round) {
+    const Mask<W> wanted = any_of(suspects) & ~uncertain;
+    if (!any(wanted)) break;
+    P contact, estimate;
+    take_candidates(c, suspects, wanted, contact, estimate);
+    const Mask<W> at_once = wanted & (P::load(c.candidate[0]) < P(0.0));
+    const P t = select(at_once, P(0.0), root_near(c, estimate, wanted & ~at_once));
+    const Mask<W> certain = at_once | (wanted & is_first(c, t, limit));
+    uncertain = uncertain | (wanted & ~certain);
+    const Mask<W> first = certain & ~(t > limit);
+    limit = select(first, t, limit);
+    event = select(first, contact, event);
+    const Scales<W> shorter(limit);
+    for (int i = 0; i < suspects.count; ++i) {
+      suspects.mask[i] = suspects.mask[i] & ~(limit == P(0.0));
+      if (any(suspects.mask[i]))
+        suspects.mask[i] = rule_out<W>(c, suspects.contact[i], suspects.mask[i], shorter, limit);
+    }
+  }
+  uncertain = uncertain | any_of(suspects);
+  limit.store(c.length);
+  double events[W];
+  event.store(events);
+  for (int l = 0; l < W; ++l) c.event[l] = int(events[l]);
+  if (!any(uncertain)) return;
+  const unsigned lanes = lanes_of(uncertain);
+  for (int l = 0; l < W; ++l)
+    if (lanes >> l & 1) {
+      const FirstEvent first = first_event_of_lane(&c.a[0][l], &c.closed[0][l], &c.suspect[0][l], W, c.N);
+      c.length[l] = first.when;
+      c.event[l] = first.contact;
+    }
+}
+
+}  // namespace sigmasweep::side_by_side
