@@ -32,7 +32,7 @@ namespace sigmasweep {
 ///     std::optional<size_t> event_of(const Group&)    which contact closes or opens at the step's end
 ///     void move_group(Group&, elapsed, whole_step)    x and u to `elapsed` after the step's start
 ///     void advance_free(k, t)                                  free gap k from time at_[k] to t
-///     void change_contact(k, t)                       it closes or opens
+///     void change_contact(k, t)                       it closes or opens; its neighbours are at time t, too
 ///     Real closes_in(k)                               how long free gap k stays open
 template <class Solver, class Real, class Group, int Tangents = 0>
 class ContactEvents {
@@ -212,9 +212,12 @@ class ContactEvents {
       begin_step(g);
       return;
     }
-    solver().change_contact(*event, t);
-    const Range range{g.lo, g.hi};
+    Range range{g.lo, g.hi};
     dissolve(id, t);
+    // A gap at the group's border closes with a neighbour that is not of the group.
+    if (*event == range.lo && range.lo > 0) range.lo = release(range.lo - 1, t).lo;
+    if (*event == range.hi && range.hi + 1 < N_) range.hi = release(range.hi + 1, t).hi;
+    solver().change_contact(*event, t);
     regroup(range, t);
   }
 

@@ -45,7 +45,7 @@ namespace {
 constexpr double safety = 16.0;
 /// Roundings of eps_eff that the disturbances do not know of: from velocities to energies, and the drift of the energy,
 /// in roundings a step, as a step's rounded coefficients are the same in many steps.
-constexpr double last_roundings = 8.0, drift = 0.1;
+constexpr double last_roundings = 8.0, drift = 0.2;
 /// Where masses differ, a contact's impulse is shared out in rounded parts.
 constexpr double shares = 3.0;
 /// From this tolerance on short series are tried first: two thirds of the time, and bars of about 1e-5.

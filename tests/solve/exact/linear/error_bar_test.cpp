@@ -9,7 +9,9 @@
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
+#include "solve/exact/linear/column.hpp"
 #include "support/error_bars.hpp"
+#include "support/parameters.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -100,6 +102,53 @@ TEST(ErrorBar, HoldsForWideGaps) {
     bars.see(true_error(p, c), c.eps_eff_error);
   }
   bars.expect_true(150);  // the others are chaotic, and say so
+}
+
+// A wave that runs up a long column closes gap after gap. If the disturbance of the next gap jumped before it is flown
+// to the event, it would grow with each of them: to 1e-5 at N = 50, sigma = 0.1.
+TEST(ErrorBar, DoesNotGrowWithTheGapsThatAWaveCloses) {
+  for (const std::int64_t N : {50, 100})
+    for (const double sigma : {0.02, 0.05, 0.1, 0.2, 0.7}) {
+      ExactColumn<double, 1, false> column(reduced_column<double>(soft_column(N, 0.9, sigma)),
+                                           RunLimits{.settle = 1e-13});
+      column.run();
+      EXPECT_LE(column.error(1.0), 1e-12) << "N=" << N << " sigma=" << sigma;
+    }
+}
+
+// Errors of neighbouring places are draws of one distribution: the largest of three is compared with each bar, as one
+// may be small by chance.
+TEST(ErrorBar, IsUsefulForLongColumnsAlongTheWholeCurve) {
+  for (const std::int64_t N : {50, 100})
+    for (const double sigma : {0.01, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.5}) {
+      SCOPED_TRACE(testing::Message() << "N=" << N << " sigma=" << sigma);
+      double largest_error = 0.0, largest_bar = 0.0;
+      for (int place = 0; place < 3; ++place) {
+        const Parameters p = soft_column(N, 0.9, sigma * (1.0 + 1e-3 * place));
+        const SimulationResult c = simulate(p);
+        ASSERT_EQ(c.status, Status::ok);
+        const double error = std::abs(double(eps_eff_in<long double>(p) - static_cast<long double>(c.eps_eff)));
+        EXPECT_LE(error, c.eps_eff_error);
+        largest_error = std::max(largest_error, error);
+        largest_bar = std::max(largest_bar, c.eps_eff_error);
+      }
+      EXPECT_LE(largest_bar, 1e3 * largest_error);
+    }
+}
+
+// Up to gaps of sigma = 10 random columns of 16 beads are not chaotic: what double cannot tell the wider types can.
+TEST(ErrorBar, MeetsTheToleranceWhereNothingIsChaotic) {
+  Random uniform(17);
+  for (int i = 0; i < 100; ++i) {
+    Parameters p;
+    p.N = 2 + std::int64_t(15.0 * uniform());
+    p.epsilon = 0.1 + 0.9 * uniform();
+    p.sigma = uniform() < 0.1 ? 0.0 : std::pow(10.0, -3.0 + 4.0 * uniform());
+    p = complete(p, GapParameter::sigma);
+    const SimulationResult c = simulate(p);
+    EXPECT_EQ(c.status, Status::ok) << "N=" << p.N << " epsilon=" << p.epsilon << " sigma=" << p.sigma;
+    EXPECT_LE(true_error(p, c), c.eps_eff_error) << "N=" << p.N << " epsilon=" << p.epsilon << " sigma=" << p.sigma;
+  }
 }
 
 // Long bounce sequences that no double, and some that no type, can follow.
