@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/quad.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/contact/calibration.hpp"
+#include "support/parameters.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -44,7 +44,7 @@ TEST(Column, ReducedUnitsKeepOnlySigma) {
 
 TEST(Column, SIUnitsAreTheReducedOnesTimesPowersOfTheContactTime) {
   Parameters p{.v0 = 0.2, .tc = 4e-6, .s0 = 1e-7, .epsilon = 0.7};
-  p = complete(p, GapParameter::s0);
+  p = completed(p);
   const auto si = si_column<double>(p), reduced = reduced_column<double>(p);
   EXPECT_EQ(si.gap, 1e-7);
   EXPECT_EQ(si.speed, 0.2);

@@ -7,9 +7,9 @@
 
 #include "assembly/diameters.hpp"
 #include "base/random.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/names.hpp"
+#include "support/parameters.hpp"
 
 using namespace sigmasweep;
 
@@ -30,7 +30,7 @@ TEST(Springs, GiveTheContactTimeAndRestitutionThatTheyAreFrom) {
     p.v0 = 0.3;
     p.tc = 2e-5;
     p.epsilon = 0.8;
-    const Parameters back = complete(with_springs(p), GapParameter::s0);
+    const Parameters back = completed(with_springs(p));
     EXPECT_NEAR(back.tc / p.tc, 1.0, 1e-12) << name_of(law);
     EXPECT_NEAR(back.epsilon, 0.8, 1e-10) << name_of(law);  // damping() has its errors below 1e-11
   }

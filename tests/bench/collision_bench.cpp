@@ -12,7 +12,6 @@
 
 #include "assembly/energies.hpp"
 #include "base/quad.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
@@ -69,7 +68,7 @@ void vibrated(benchmark::State& state, double epsilon, double alpha, double tc, 
   p.integrator = integrator;
   p.periods = 30;
   p.transient = 0;
-  p = complete(p, GapParameter::s0);
+  p = completed(p);
   SimulationResult c;
   for (auto _ : state) benchmark::DoNotOptimize(c = simulate(p));
   const auto contacts = static_cast<double>(c.contacts);

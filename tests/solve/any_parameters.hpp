@@ -7,10 +7,10 @@
 #include <sstream>
 #include <string>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/law.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/parameters.hpp"
+#include "support/parameters.hpp"
 
 /// Random tuples from the whole box of parameters, for RapidCheck. A failing case is shrunk and printed with what
 /// repeats it; RC_PARAMS="seed=... max_success=..." runs others. A case that fails gets a test with its name.
@@ -97,7 +97,7 @@ inline Parameters drawn(Solver solver, int max_beads = 30) {
   if (*rc::gen::inRange(0, 3) == 2) p.width = p.d * 0.01 * *rc::gen::inRange(0, 200);
   draw_stiffness(p);
   p.sigma = *gaps();
-  return complete(p, GapParameter::sigma);
+  return completed(p);
 }
 
 }  // namespace sigmasweep::any_parameters

@@ -8,11 +8,11 @@
 #include <numbers>
 #include <string>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/any_parameters.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
@@ -62,7 +62,7 @@ TEST(AnyParameters, OnlySigmaCounts) {
     const SimulationResult a = simulate(p);
     p.v0 *= 0x1p-7;
     p.tc *= 0x1p11;
-    const SimulationResult b = simulate(complete(p, GapParameter::sigma));
+    const SimulationResult b = simulate(completed(p));
     RC_ASSERT(a.status == b.status && a.contacts == b.contacts);
     RC_ASSERT(std::isnan(a.eps_eff) || (a.eps_eff == b.eps_eff && a.eps_eff_error == b.eps_eff_error));
     RC_ASSERT(std::isnan(a.t_k) || std::fabs(a.t_k * 0x1p11 - b.t_k) <= 1e-15 * b.t_k);
@@ -75,7 +75,7 @@ TEST(AnyParameters, ElasticColumnsKeepTheirEnergy) {
     Parameters p = drawn(*rc::gen::element(Solver::linear, Solver::nonlinear, Solver::hard));
     p.epsilon = 1.0;
     p.K_over_m = p.D_n = 0.0;
-    p = complete(p, GapParameter::sigma);
+    p = completed(p);
     RC_LOG() << shown(p);
     RC_PRE(why_invalid(p).empty());
     const SimulationResult c = simulate(p);

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <vector>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/books.hpp"
@@ -58,7 +57,7 @@ TEST(Balance, OfColumnsWithOneModeCriticallyDamped) {
         Parameters p{.sigma = N % 2 == 0 ? 0.0 : 0.2, .K_over_m = 1e10, .N = N};
         p.D_n = std::sqrt(2.0 * p.K_over_m / lambda) * (1.0 + off);
         SCOPED_TRACE(testing::Message() << "N " << N << " mode " << q << " off by " << off);
-        expect_balance(reduced_column<double>(complete(p, GapParameter::sigma)), 6.0, roundings);
+        expect_balance(reduced_column<double>(completed(p)), 6.0, roundings);
       }
 }
 
@@ -67,7 +66,7 @@ TEST(Balance, OfOverdampedPairs) {
     for (const std::int64_t N : {1, 2, 3, 10}) {
       Parameters p{.sigma = 0.1, .K_over_m = 1e10, .D_n = damping * 1e5, .N = N};
       SCOPED_TRACE(testing::Message() << "N " << N << " damping " << damping);
-      expect_balance(reduced_column<double>(complete(p, GapParameter::sigma)), 6.0, roundings);
+      expect_balance(reduced_column<double>(completed(p)), 6.0, roundings);
     }
 }
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "support/parameters.hpp"
 
 namespace {
 
@@ -43,7 +43,7 @@ TEST(ExtremeInput, EveryCornerGivesAResultOrAStatus) {
               p.s0 = s0;
               p.v0 = v0;
               p.tc = tc;
-              p = complete(p, GapParameter::s0);
+              p = completed(p);
               if (N == 40 && (v0 != 1.0 || tc != 1e-5)) continue;
               expect_honest(p);
             }
@@ -56,7 +56,7 @@ TEST(ExtremeInput, AThousandBeads) {
       p.N = 1000;
       p.epsilon = epsilon;
       p.sigma = sigma;
-      expect_honest(complete(p, GapParameter::sigma));
+      expect_honest(completed(p));
     }
 }
 

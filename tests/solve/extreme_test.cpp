@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "assembly/energies.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/trajectory/trajectory.hpp"
 #include "solve/exact/linear/collision.hpp"
@@ -111,7 +110,7 @@ TEST(Extreme, TheBooksBalanceForUnequalBeadsAndOtherLaws) {
 TEST(Extreme, TheBooksBalanceForOverdampedPairs) {
   for (const double damping : {1.0, 2.0, 5.0}) {
     Parameters p{.v0 = 1.0, .s0 = 0.1, .K_over_m = 9.8696044010893586, .D_n = damping * 3.14159265358979323846, .N = 4};
-    expect_balance(complete(p, GapParameter::s0));  // tc = 1
+    expect_balance(completed(p));  // tc = 1
   }
 }
 
@@ -202,7 +201,7 @@ TEST(Extreme, OnlySigmaCounts) {
         p.v0 *= scale;
         p.tc *= scale * scale;
         p.d *= 3.0;
-        const SimulationResult c = simulate(complete(p, GapParameter::sigma));
+        const SimulationResult c = simulate(completed(p));
         EXPECT_EQ(c.eps_eff, expected.eps_eff);
         EXPECT_EQ(c.contacts, expected.contacts);
         EXPECT_EQ(c.t_k, expected.t_k * scale * scale);
@@ -217,7 +216,7 @@ TEST(Extreme, OnlyTheDampingRatioCountsOverEighteenDecadesOfSpeed) {
     double expected = 0.0;
     for (int decade = -15; decade <= 3; decade += 3) {
       Parameters p{.v0 = std::pow(10.0, decade), .sigma = 0.2, .K_over_m = 4e10, .D_n = damping * 2e5, .N = 6};
-      const SimulationResult c = simulate(complete(p, GapParameter::sigma));
+      const SimulationResult c = simulate(completed(p));
       ASSERT_EQ(c.status, Status::ok);
       if (decade == -15) expected = c.eps_eff;
       EXPECT_NEAR(c.eps_eff, expected, 1e-12);
@@ -233,7 +232,7 @@ TEST(Extreme, UnitsAndLanesAreTheSame) {
         Parameters p = tuple(N, epsilon, sigma);
         p.v0 = 3e-4;
         p.tc = 7e-6;
-        p = complete(p, GapParameter::sigma);
+        p = completed(p);
         const auto value = [](const auto& column, auto real) {
           using Real = decltype(real);
           return double(energies<Real>(exact_collision(column).velocity, column.speed, column.mass).eps_eff);

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "support/parameters.hpp"
 #include "support/reference_values.hpp"
 
 /// The touching columns (s0 = 0) of the paper's Fig. 2(b), 2(c) and Sec. IV A, as the specs in sweeps/ have them.
@@ -14,7 +14,7 @@ namespace {
 constexpr double v0 = 0.05, tc = 2e-5;  // m/s, s: the caption of Fig. 2(b)
 
 SimulationResult touching(std::int64_t N, double epsilon, double speed = v0, double contact_time = tc) {
-  return simulate(complete({.v0 = speed, .tc = contact_time, .s0 = 0.0, .epsilon = epsilon, .N = N}, GapParameter::s0));
+  return simulate(completed({.v0 = speed, .tc = contact_time, .s0 = 0.0, .epsilon = epsilon, .N = N}));
 }
 
 double loss(std::int64_t N, double epsilon) { return 1.0 - touching(N, epsilon).eps_eff; }

@@ -6,9 +6,9 @@
 #include <cstring>
 #include <vector>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "support/parameters.hpp"
 
 using namespace sigmasweep;
 
@@ -31,7 +31,7 @@ Parameters small(Geometry geometry, Method method, Integrator integrator, Law la
   p.tc = 1e-3;
   p.periods = 3;
   p.transient = 1;
-  return complete(p, GapParameter::sigma);
+  return completed(p);
 }
 
 /// Every geometry, method, integrator and law; some of them are invalid together.

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <csignal>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "support/parameters.hpp"
 #include "support/store_samples.hpp"
 
 namespace sigmasweep {
@@ -24,7 +24,7 @@ Tuple tuple() {
   Parameters p{.v0 = 0.2, .tc = 0.7e-5, .s0 = 1e-6};
   p.N = 4;
   p.width = 1e-4;
-  return {17, complete(p, GapParameter::s0)};
+  return {17, completed(p)};
 }
 
 Trajectory film() { return record(tuple().parameters, sample_times(1e-4, 51)); }
@@ -55,7 +55,7 @@ TEST(H5md, LatticesComeBackToTheBit) {
     p.side_walls = side_walls;
     p.random_separation = Flag::yes;
     derive_beads(p);
-    p = complete(p, GapParameter::s0);
+    p = completed(p);
     const Trajectory written = record(p, sample_times(1e-4, 21));
     const std::string path = directory.file("lattice.h5");
     write_h5md(path, {0, p}, written);

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
+#include "support/parameters.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -21,7 +21,7 @@ Parameters figure_1(double s0, Method method = Method::md, Integrator integrator
   p.N = 10;
   p.method = method;
   p.integrator = integrator;
-  return complete(p, GapParameter::s0);
+  return completed(p);
 }
 
 std::vector<Parameters> all_kinds() {
@@ -80,7 +80,7 @@ TEST(Trajectory, TwoHardBeadsByHand) {
   p.N = 2;
   p.method = Method::ed;
   p.wall = Wall::matched;
-  p = complete(p, GapParameter::s0);
+  p = completed(p);
   const std::vector<double> times{0.0, 0.5, 1.0, 1.5, 2.0, 2.2, 3.0, 16.0 / 3.0};
   const std::vector<double> z1{1.0, 0.5, 0.0, 0.25, 1.0 / 3 - 5.0 / 24, 0.0, 0.25, 2.0 / 3 + 11.0 / 64};
   const std::vector<double> z2{2.0, 1.5, 1.0, 0.5, 1.0 / 3 + 1.0 / 24, 0.4, 0.5, 2.0 / 3 + 17.0 / 64};

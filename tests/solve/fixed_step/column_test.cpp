@@ -6,9 +6,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/fixed_step/column/collision.hpp"
+#include "support/parameters.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -67,7 +67,7 @@ TEST_P(FixedStep, CrossingFreeFlightInOneGoIsTheSameAsSteppingThroughIt) {
 
 TEST_P(FixedStep, RawSIUnitsGiveTheSame) {
   Parameters p{.v0 = 0.2, .tc = 4e-6, .s0 = 1e-6, .epsilon = 0.8, .N = 5};
-  p = complete(p, GapParameter::s0);
+  p = completed(p);
   const auto si = fixed_step_collision(si_column<double>(p), GetParam(), p.tc / 73.0);
   const auto reduced = fixed_step_collision(reduced_column<double>(p), GetParam(), 1.0 / 73.0);
   EXPECT_EQ(si.contacts, reduced.contacts);
@@ -86,7 +86,7 @@ TEST_P(FixedStep, UnequalBeadsAndAllLawsMoveAsTheDefaultIntegratorSays) {
       p.random_separation = Flag::yes;
       p.integrator = GetParam();
       p.steps_per_tc = 2017.0;
-      const SimulationResult c = simulate_fixed_step(complete(p, GapParameter::sigma));
+      const SimulationResult c = simulate_fixed_step(completed(p));
       ASSERT_EQ(c.status, Status::ok) << name_of(law);
       // First order: twenty times less than at tc/100, where the worst single contact has 1.7e-3.
       EXPECT_LE(c.eps_eff_error, 1e-4) << name_of(law) << " " << width;

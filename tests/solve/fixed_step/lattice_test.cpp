@@ -8,7 +8,6 @@
 
 #include "assembly/lattice.hpp"
 #include "assembly/neighbours.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/exact/lattice/collision.hpp"
 #include "solve/fixed_step/column/collision.hpp"
@@ -277,7 +276,7 @@ TEST(LatticeFixedStep, OverdampedBeadsThatStickEnd) {
     Parameters p = lattice_of_discs(c.rows, c.columns, 0.9, c.sigma);
     p.K_over_m = std::pow(std::acos(-1.0) / p.tc, 2);
     p.D_n = c.damping * std::sqrt(p.K_over_m);
-    Lattice<double> lattice = lattice_of(complete(p, GapParameter::sigma));
+    Lattice<double> lattice = lattice_of(completed(p));
     shift_at_random(lattice, 11);
     const auto outcome = fixed_step_lattice_collision(lattice, Integrator::rk4, 1.0 / 200.0);
     EXPECT_EQ(outcome.status, Status::ok);

@@ -8,7 +8,6 @@
 
 #include "assembly/lattice.hpp"
 #include "contact/contact_law.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
@@ -120,7 +119,7 @@ Lattice<double> lattice_of(std::int64_t rows, std::int64_t columns, SideWalls wa
   p.columns = columns;
   p.side_walls = walls;
   p.epsilon = 0.7;
-  Lattice<double> lattice = reduced_lattice<double>(complete(p, GapParameter::s0));
+  Lattice<double> lattice = reduced_lattice<double>(completed(p));
   lattice.D_t = D_t_over_D_n * lattice.beads.C;
   return lattice;
 }
@@ -185,7 +184,7 @@ TEST(Stability, LatticesAndWhatVibratesBehaveAsPredicted) {
   for (const double D_t : {0.0, 3000.0}) {
     p.D_t = D_t;
     p.geometry = Geometry::lattice;
-    check(complete(p, GapParameter::sigma));
+    check(completed(p));
   }
   p.alpha = 3.0;
   p.periods = 5;
@@ -193,10 +192,10 @@ TEST(Stability, LatticesAndWhatVibratesBehaveAsPredicted) {
   p.d = 1e-3;
   p.s0 = 0.0;
   p.geometry = Geometry::vibrated_lattice;
-  check(complete(p, GapParameter::s0));
+  check(completed(p));
   p.geometry = Geometry::vibrated_column;
   p.N = 6;
-  check(complete(p, GapParameter::s0));
+  check(completed(p));
 }
 
 // A lattice without shifts has hardly any of its stiffest motions.
@@ -219,7 +218,7 @@ TEST(Stability, NoLatticeIsRefusedThatHasAResult) {
     p.epsilon = scene.epsilon;
     p.D_t = scene.D_t;
     p.steps_per_tc = scene.steps;
-    const SimulationResult c = simulate(complete(p, GapParameter::sigma));
+    const SimulationResult c = simulate(completed(p));
     EXPECT_EQ(c.status, Status::ok) << scene.rows;
     EXPECT_LT(c.eps_eff_error, 1e-2);
     EXPECT_GT(c.predicted_growth, 1e5);

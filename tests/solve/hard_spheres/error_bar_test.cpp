@@ -5,11 +5,11 @@
 
 #include "assembly/column.hpp"
 #include "base/quad.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "solve/hard_spheres/collision.hpp"
 #include "solve/hard_spheres/plain_hard_spheres.hpp"
 #include "support/error_bars.hpp"
+#include "support/parameters.hpp"
 #include "support/random.hpp"
 
 /// Is the error bar of hard spheres true?
@@ -29,7 +29,7 @@ Parameters random_tuple(Random& uniform) {
   if (uniform(0.0, 1.0) < 0.6) p.width = p.d * uniform(0.05, 1.8);
   if (uniform(0.0, 1.0) < 0.6) p.random_separation = Flag::yes;
   p.seed = static_cast<std::int64_t>(uniform.bits() >> 1);
-  return complete(p, GapParameter::sigma);
+  return completed(p);
 }
 
 TEST(HardSpheresErrorBar, HoldsForRandomColumns) {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "assembly/energies.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "solve/reference/damped_modes.hpp"
+#include "support/parameters.hpp"
 #include "support/reference_values.hpp"
 
 namespace sigmasweep {
@@ -19,7 +19,7 @@ Column<long double> column(std::int64_t N, double epsilon, double sigma, Wall wa
   p.epsilon = epsilon;
   p.sigma = sigma;
   p.wall = wall;
-  return reduced_column<long double>(complete(p, GapParameter::sigma));
+  return reduced_column<long double>(completed(p));
 }
 
 long double eps_eff(const Column<long double>& column) {

@@ -9,7 +9,6 @@
 #include <numbers>
 #include <vector>
 
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/model/result.hpp"
 #include "sigmasweep/solve/simulate.hpp"
@@ -269,7 +268,7 @@ TEST(Lattice, OfOverdampedBeadsEnds) {
       Parameters p = lattice_of_discs(rows, 2, 0.5, sigma);
       p.K_over_m = 1e11;
       p.D_n = 1e6;  // sqrt(K_over_m) = 3.2e5
-      p = complete(p, GapParameter::sigma);
+      p = completed(p);
       p.tolerance = 1e-6;
       const SimulationResult c = simulate(p);
       EXPECT_EQ(c.status, Status::ok) << sigma << ' ' << rows;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "assembly/energies.hpp"
-#include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/contact/pair_collision.hpp"
 #include "sigmasweep/contact/theory.hpp"
 #include "sigmasweep/model/law.hpp"
@@ -29,7 +28,7 @@ Parameters fig3(Law law, double K_over_m, double D_n, std::int64_t N) {
   p.K_over_m = K_over_m;
   p.D_n = D_n;
   p.N = N;
-  return complete(p, GapParameter::s0);
+  return completed(p);
 }
 
 Parameters touching_pair(Law law, double beta, double gamma, double epsilon) {
@@ -151,7 +150,7 @@ TEST(Nonlinear, LossesNothingWithoutDamping) {
       p.epsilon = 1.0;
       p.sigma = sigma;
       p.N = 12;
-      const SimulationResult c = simulate(complete(p, GapParameter::sigma));
+      const SimulationResult c = simulate(completed(p));
       EXPECT_EQ(c.status, Status::ok);
       EXPECT_NEAR(c.eps_eff, 1.0, c.eps_eff_error);
     }
@@ -164,7 +163,7 @@ TEST(Nonlinear, TheLinearLawIsSolvedAsWell) {
     p.sigma = sigma;
     p.N = 7;
     p.epsilon = 0.8;
-    const auto column = reduced_column<double>(complete(p, GapParameter::sigma));
+    const auto column = reduced_column<double>(completed(p));
     const auto energy = [&](const Outcome<double>& o) { return energies<double>(o.velocity, 1.0).eps_eff; };
     EXPECT_NEAR(energy(nonlinear_collision(column, 1e-14)), energy(exact_collision(column)), 1e-12) << sigma;
   }
@@ -177,10 +176,10 @@ TEST(Nonlinear, ScalesWithSigma) {
   p.sigma = 0.37;
   p.N = 9;
   p.v0 = p.tc = 1.0;
-  const SimulationResult a = simulate(complete(p, GapParameter::sigma));
+  const SimulationResult a = simulate(completed(p));
   p.v0 = 3e-9;
   p.tc = 7e4;
-  const SimulationResult b = simulate(complete(p, GapParameter::sigma));
+  const SimulationResult b = simulate(completed(p));
   EXPECT_EQ(a.eps_eff, b.eps_eff);
   EXPECT_NEAR(b.t_k, a.t_k * p.tc, 1e-15 * b.t_k);
 }
@@ -196,7 +195,7 @@ TEST(Nonlinear, ErrorBarHoldsForRandomTuples) {
     p.N = 1 + static_cast<std::int64_t>(14.0 * std::pow(uniform(), 2));
     p.epsilon = 0.4 + 0.6 * uniform();
     p.sigma = i % 5 == 0 ? 0.0 : std::pow(10.0, -3.0 + 4.0 * uniform());
-    p = complete(p, GapParameter::sigma);
+    p = completed(p);
     const SimulationResult c = simulate(p);
     if (c.status == Status::tolerance_missed) continue;  // chaotic, and says so
     ASSERT_EQ(c.status, Status::ok);
