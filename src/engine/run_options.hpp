@@ -12,6 +12,7 @@ namespace sigmasweep {
 
 struct RunOptions {
   std::string spec;                         ///< path of the sweep spec
+  std::vector<std::string> settings{};      ///< "KEY=VALUE": keys of [sweep] that are replaced
   std::string output;                       ///< path of the table; empty: default_table(spec)
   bool fresh = false;                       ///< start again, whatever is there
   bool quiet = false;                       ///< neither progress nor summary

@@ -92,12 +92,21 @@ struct SimdPack<double> {
   friend SimdPack where_zero(const SimdPack& a, const SimdPack& b, const SimdPack& c) {
     return of(a.v == 0 ? b.v : c.v);
   }
+#ifdef __clang__
+  friend SimdPack shifted_up(const SimdPack& before, const SimdPack& a) {
+    return of(__builtin_shufflevector(before.v, a.v, 7, 8, 9, 10, 11, 12, 13, 14));
+  }
+  friend SimdPack shifted_down(const SimdPack& a, const SimdPack& after) {
+    return of(__builtin_shufflevector(a.v, after.v, 1, 2, 3, 4, 5, 6, 7, 8));
+  }
+#else  // g++ before 12 does not have the other
   friend SimdPack shifted_up(const SimdPack& before, const SimdPack& a) {
     return of(__builtin_shuffle(before.v, a.v, Mask{7, 8, 9, 10, 11, 12, 13, 14}));
   }
   friend SimdPack shifted_down(const SimdPack& a, const SimdPack& after) {
     return of(__builtin_shuffle(a.v, after.v, Mask{1, 2, 3, 4, 5, 6, 7, 8}));
   }
+#endif
 };
 
 }  // namespace sigmasweep

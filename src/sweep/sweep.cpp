@@ -15,6 +15,7 @@
 #include "sigmasweep/model/relevance.hpp"
 #include "sweep/spec/document.hpp"
 #include "sweep/spec/trajectory.hpp"
+#include "sweep/spec/with_settings.hpp"
 #include "sweep/toml/toml_guard.hpp"
 
 namespace sigmasweep {
@@ -93,8 +94,11 @@ Sweep Sweep::parse(std::string_view text, const std::string& file, Sections sect
 
 Sweep Sweep::parse_stored(std::string_view text, const std::string& file) { return parse(text, file, {}, true); }
 
-Sweep Sweep::load(const std::string& path, Sections sections) {
-  return parse(text_of(path), path == "-" ? "standard input" : path, sections);
+Sweep Sweep::load(const std::string& path, Sections sections, std::span<const std::string> settings) {
+  const std::string text = text_of(path), file = path == "-" ? "standard input" : path;
+  if (settings.empty()) return parse(text, file, sections);
+  return parse(spec::with_settings(text, settings), fmt::format("--set {} in {}", fmt::join(settings, " --set "), file),
+               sections);
 }
 
 const std::string& Sweep::title() const { return impl_->document.title; }

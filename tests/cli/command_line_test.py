@@ -173,6 +173,32 @@ class Answers(Files):
         self.assertIn("tuples         6", sigmasweep("plan", self.path / "spec.toml").stdout)
         self.assertEqual([p.name for p in self.path.iterdir()], ["spec.toml"])
 
+    def test_plan_with_keys_that_are_set(self):
+        spec = self.write(SPEC)
+        ended = sigmasweep("plan", "--set", "N=[2, 5]", spec, "--set", "method=ed", "--set", "where=sigma > 0.5", "--json")
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        plan = json.loads(ended.stdout)
+        self.assertEqual([(a["name"], a["size"]) for a in plan["axes"]], [("N", 2), ("sigma", 3)])
+        self.assertEqual(plan["tuples"], 4)
+        self.assertEqual(spec.read_text(), SPEC)
+
+    def test_wrong_keys_and_values_that_are_set(self):
+        spec = self.write(SPEC)
+        for typed, code, words in (
+                ("n=3", 65, "unknown key sweep.n (did you mean 'N'?)"),
+                ("N=-1", 65, "sweep.N = -1 is not allowed"),
+                ("s0=1e-6", 65, "give s0 or sigma, not both"),
+                ("method=edd", 65, "did you mean 'ed'?"),
+                ("N", 64, "--set N: give KEY=VALUE"),
+                ("tc=2*10^-5", 64, "'2*10^-5' is not a value in TOML (write 2e-5)")):
+            for command in ("plan", "run", "precision", "stability"):
+                ended = sigmasweep(command, spec, "--set", typed, cwd=self.path)
+                self.assertEqual((ended.returncode, ended.stdout), (code, ""), ended)
+                self.assertEqual(ended.stderr.count("\n"), 1, ended)
+                self.assertIn(words, ended.stderr)
+                self.assertIn("--set " + typed, ended.stderr)
+        self.assertEqual([p.name for p in self.path.iterdir()], ["spec.toml"])
+
     def test_plan_of_a_huge_sweep_is_a_sample(self):
         axis = "{ from = 0.1, to = 100, count = 1000 }"
         spec = SPEC.replace("[0.1, 1, 10]", axis)

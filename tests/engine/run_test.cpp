@@ -65,6 +65,12 @@ class Run : public testing::Test {
     printed_.clear();
     return run_sweep(world(), options_, reporter());
   }
+  void expect_refusal() {
+    if (world().is_manager())
+      EXPECT_THROW(run(), OutputError);
+    else
+      EXPECT_EQ(run(), OutputError("").exit_code());
+  }
   bool has_printed(std::string_view text) const {
     return !world().is_manager() || printed_.find(text) != std::string::npos;
   }
@@ -112,6 +118,34 @@ TEST_F(Run, OfACompleteTableComputesNothing) {
   }
 }
 
+TEST_F(Run, WithOtherKeysIsThatOfAnotherSpec) {
+  options_.settings = {"N=[5, 6]"};
+  EXPECT_EQ(run(), exit_code::success);
+  EXPECT_TRUE(has_printed("4 rows to compute")) << printed_;
+  if (world().is_manager()) {
+    const Table table = read_table(options_.output);
+    EXPECT_EQ(table.rows.front().parameters.N, 5);
+    EXPECT_TRUE(table.info.spec_text.ends_with("# set on the command line: N = [5, 6]\n")) << table.info.spec_text;
+  }
+  wait_for_all();
+  EXPECT_EQ(run(), exit_code::success);
+  EXPECT_TRUE(has_printed("is complete, nothing to compute")) << printed_;
+  options_.settings.clear();
+  expect_refusal();
+}
+
+TEST_F(Run, GoesOnWithTheSameKeysOnly) {
+  options_.settings = {"N=[2, 3]"};
+  options_.max_seconds = 0.0;
+  EXPECT_EQ(run(), exit_code::stopped);
+  wait_for_all();
+  options_.max_seconds.reset();
+  options_.settings = {"N=[5, 6]"};
+  expect_refusal();
+  options_.settings = {"N=[2, 3]"};
+  EXPECT_EQ(run(), exit_code::success);
+}
+
 TEST_F(Run, IsQuietOnRequest) {
   options_.quiet = true;
   EXPECT_EQ(run(), exit_code::success);
@@ -151,10 +185,7 @@ TEST_F(Run, GoesOnWithTheRowsOfTheJournal) {
 TEST_F(Run, RefusesTheTableOfAnotherSpecUnlessItExtendsIt) {
   EXPECT_EQ(run(), exit_code::success);
   write_spec(nine_rows);
-  if (world().is_manager())
-    EXPECT_THROW(run(), OutputError);
-  else
-    EXPECT_EQ(run(), OutputError("").exit_code());
+  expect_refusal();
   options_.extend = true;
   EXPECT_EQ(run(), exit_code::success);
   EXPECT_TRUE(has_printed("going on with 6 of 9 rows, 6 of them taken over")) << printed_;

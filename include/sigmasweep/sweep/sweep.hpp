@@ -66,8 +66,9 @@ class Sweep {
   /// Reads a spec from TOML text, which may have the tables `sections` beside the sweep's own. Messages name `file`.
   /// Throws SpecError with file, line, key, value, the allowed values and the nearest known key.
   static Sweep parse(std::string_view text, const std::string& file, Sections sections = {});
-  /// Reads a spec from a file of at most 4 MiB. Throws InputNotFound or SpecError.
-  static Sweep load(const std::string& path, Sections sections = {});
+  /// Reads a spec from a file of at most 4 MiB. Each of `settings` is "KEY=VALUE" and replaces a key of [sweep]; text()
+  /// has what was set. Throws InputNotFound, SpecError, or UsageError for a setting of another form.
+  static Sweep load(const std::string& path, Sections sections = {}, std::span<const std::string> settings = {});
   /// Reads a spec from the text in a table. It may have sections of any name, because it was checked before the run.
   static Sweep parse_stored(std::string_view text, const std::string& file);
 

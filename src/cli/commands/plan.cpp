@@ -5,6 +5,7 @@
 
 #include "base/printable.hpp"
 #include "cli/command.hpp"
+#include "cli/settings_option.hpp"
 #include "engine/report/remarks.hpp"
 #include "sigmasweep/solve/cost.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
@@ -15,7 +16,8 @@ namespace sigmasweep {
 namespace {
 
 struct PlanOptions {
-  std::string spec;  ///< path of the sweep spec
+  std::string spec;                   ///< path of the sweep spec
+  std::vector<std::string> settings;  ///< "KEY=VALUE": keys of [sweep] that are replaced
   int ranks = 1;
   bool json = false;
 };
@@ -101,7 +103,7 @@ void print_json(const Sweep& sweep, const Plan& plan, int ranks) {
 }
 
 int plan(const PlanOptions& options) {
-  const Sweep sweep = Sweep::load(options.spec, study_sections);
+  const Sweep sweep = Sweep::load(options.spec, study_sections, options.settings);
   const Plan result = plan_of(sweep, options.ranks);
   for (const std::string& remark : remarks_on(sweep)) fmt::print(stderr, "sigmasweep: {}\n", remark);
   if (options.json)
@@ -113,6 +115,7 @@ int plan(const PlanOptions& options) {
 
 void declare(OptionSet& set, PlanOptions& options) {
   set.add({"spec", "The sweep spec, a TOML file", "SPEC.toml"}, options.spec);
+  add_settings(set, options.settings);
   set.add({"--ranks", "Number of MPI ranks", "R"}, options.ranks, {1, 1 << 20});
   set.add_flag("--json", "One JSON document; times in seconds", options.json);
 }

@@ -1,4 +1,5 @@
 #include "cli/command.hpp"
+#include "cli/settings_option.hpp"
 #include "studies/precision/command.hpp"
 
 namespace sigmasweep {
@@ -6,6 +7,7 @@ namespace {
 
 void declare(OptionSet& set, PrecisionOptions& options) {
   set.add({"spec", "A sweep spec with a section [precision]", "SPEC.toml"}, options.spec);
+  add_settings(set, options.settings);
   set.add({"-o,--output", "The table; default: the spec's name with .h5, in this directory", "TABLE.h5"},
           options.output);
   set.add({"--tuples", "Number of contact phases per scene, instead of the spec's", "COUNT"}, options.tuples,

@@ -6,6 +6,7 @@
 
 #include "base/duration.hpp"
 #include "cli/command.hpp"
+#include "cli/settings_option.hpp"
 #include "engine/stop/last_resort.hpp"
 #include "studies/sections.hpp"
 
@@ -43,6 +44,7 @@ std::string slice_complaint(const std::string& typed) {
 void declare(OptionSet& set, RunOptions& options) {
   options.sections = study_sections;
   set.add({"spec", "The sweep spec, a TOML file", "SPEC.toml"}, options.spec);
+  add_settings(set, options.settings);
   set.add({"-o,--output", "The table; default: the spec's name with .h5, in this directory", "TABLE.h5"},
           options.output);
   set.add_flag("--fresh", "Start again and replace an existing table or journal", options.fresh);

@@ -1,4 +1,5 @@
 #include "cli/command.hpp"
+#include "cli/settings_option.hpp"
 #include "studies/sections.hpp"
 #include "studies/stability/command.hpp"
 
@@ -8,6 +9,7 @@ namespace {
 void declare(OptionSet& set, StabilityOptions& options) {
   options.run.sections = study_sections;
   set.add({"spec", "A sweep spec with integrators of fixed step and steps_per_tc", "SPEC.toml"}, options.run.spec);
+  add_settings(set, options.run.settings);
   set.add({"-o,--output", "The table; default: the spec's name with .h5, in this directory", "TABLE.h5"},
           options.run.output);
   set.add_flag("--fresh", "Start again and replace an existing table or journal", options.run.fresh);

@@ -37,7 +37,7 @@ OpenSweep open_sweep(const World& world, const RunOptions& options, const Report
   std::optional<Ledger> ledger;
   on_manager(world, [&] {
     if (options.output.empty()) require_named_spec(options.spec);
-    sweep = Sweep::load(options.spec, options.sections);
+    sweep = Sweep::load(options.spec, options.sections, options.settings);
     require_place_for_table(table, std::array{options.spec});
     require_own_trajectories(*sweep, table, options.fresh);
     TableInfo info = table_info(*sweep, start, world.size());

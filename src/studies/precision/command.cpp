@@ -139,7 +139,7 @@ int precision_study(World& world, const PrecisionOptions& options) {
   std::optional<Sweep> sweep;
   const std::string table = options.output.empty() ? default_table(options.spec) : options.output;
   const int loaded = run_on_root(world, [&] {
-    sweep = with_precision(Sweep::load(options.spec, study_sections), options.spec);
+    sweep = with_precision(Sweep::load(options.spec, study_sections, options.settings), options.spec);
     if (options.output.empty()) require_named_spec(options.spec);
     require_place_for_table(table, std::array{options.spec}, precision_format);
     return success;

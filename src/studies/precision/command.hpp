@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mpi/world.hpp"
 
@@ -11,6 +12,7 @@ namespace sigmasweep {
 /// The options of the command `precision`.
 struct PrecisionOptions {
   std::string spec;                              ///< path of a sweep spec with a table [precision]
+  std::vector<std::string> settings{};           ///< "KEY=VALUE": keys of [sweep] that are replaced
   std::string output;                            ///< path of the table; empty: default_table(spec)
   std::optional<std::uint64_t> tuples, repeats;  ///< replace the spec's
   bool quiet = false, plots = true;

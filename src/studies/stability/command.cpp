@@ -37,7 +37,7 @@ bool is_well(const Row& row) { return row.result.status == Status::unstable || i
 
 int stability_study(World& world, const StabilityOptions& options) {
   const int loaded = run_on_root(world, [&] {
-    require_steps(Sweep::load(options.run.spec, options.run.sections), options.run.spec);
+    require_steps(Sweep::load(options.run.spec, options.run.sections, options.run.settings), options.run.spec);
     return success;
   });
   if (loaded != success) return loaded;
