@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "assembly/diameters.hpp"
 #include "base/quad.hpp"
 #include "base/random.hpp"
 #include "sigmasweep/contact/calibration.hpp"
@@ -14,16 +15,13 @@
 namespace sigmasweep {
 namespace {
 
-/// Masses over the mean bead's: diameters uniform in d +- width/2, masses with their cubes.
+/// Masses over the mean bead's: (d_i/d)^3.
 template <class Real>
 std::vector<Real> masses(const Parameters& p) {
-  if (p.width == 0.0) return {};
-  const std::uint64_t key = stream_key(static_cast<std::uint64_t>(p.seed), "diameter");
   std::vector<Real> mass;
-  for (std::int64_t i = 0; i < p.N; ++i) {
-    const double shift = unit_interval(random_bits(key, static_cast<std::uint64_t>(i))) - 0.5;
-    const Real diameter = 1 + Real(p.width / p.d) * Real(shift);
-    mass.push_back(diameter * diameter * diameter);
+  for (const double diameter : diameters(p)) {
+    const Real over_mean = Real(diameter) / Real(p.d);
+    mass.push_back(over_mean * over_mean * over_mean);
   }
   return mass;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/diameters.hpp"
 #include "assembly/ground.hpp"
 
 namespace sigmasweep {
@@ -49,7 +50,7 @@ template <class Watch>
            trajectory.velocity);
   }
   trajectory.mass = column.is_uniform() ? std::vector<double>(column.contacts(), 1.0) : column.mass;
-  for (const double mass : trajectory.mass) trajectory.diameter.push_back(p.d * std::cbrt(mass));
+  trajectory.diameter = column.is_uniform() ? std::vector<double>(column.contacts(), p.d) : diameters(p);
   return trajectory;
 }
 

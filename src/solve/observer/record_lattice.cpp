@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/diameters.hpp"
 #include "assembly/ground.hpp"
 
 namespace sigmasweep {
@@ -23,10 +24,8 @@ Trajectory record(const Parameters& p, std::span<const double> times, const Latt
   t.time.assign(times.begin(), times.end());
   t.box_width = length * lattice.width();
   t.periodic = lattice.periodic;
-  for (std::size_t i = 0; i < lattice.count(); ++i) {
-    t.mass.push_back(lattice.mass(i));
-    t.diameter.push_back(p.d * std::cbrt(t.mass[i]));
-  }
+  for (std::size_t i = 0; i < lattice.count(); ++i) t.mass.push_back(lattice.mass(i));
+  t.diameter = lattice.beads.is_uniform() ? std::vector<double>(lattice.count(), p.d) : diameters(p);
   for (std::size_t s = 0; s < times.size(); ++s) {
     const double plate = on_plate ? plate_height(p, times[s]) : 0.0;
     const double plate_velocity = on_plate ? plate_speed(p, times[s]) : 0.0;
