@@ -14,13 +14,19 @@ die() {  # exit code, words
 # Installs what is missing of sweeps/packages; silent and quick when nothing is. Nobody's own machine gets what only the
 # tests want: `install_packages tests`.
 install_packages() {
-  local list missing sudo=()
+  local list
   list=$(cat "$root/sweeps/packages")
   [ "${1:-}" = tests ] || list=${list%%# tests/run only*}
-  list=$(sed 's/#.*//' <<< "$list")
   command -v dpkg-query > /dev/null && command -v apt-get > /dev/null ||
     die 69 "this system has no apt. Install the equivalents of the packages in sweeps/packages, then:
   cmake --preset release && cmake --build --preset release   (in $root; the program is build/release/sigmasweep)"
+  install_listed "$list"
+}
+
+# Installs what is missing of the packages in the text $1: one a line, # begins a comment.
+install_listed() {
+  local list missing sudo=()
+  list=$(sed 's/#.*//' <<< "$1")
   missing=$(comm -23 <(printf '%s\n' $list | sort -u) \
     <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $list 2> /dev/null | sed -n 's/^installed //p' | sort -u))
   [ -n "$missing" ] || return 0

