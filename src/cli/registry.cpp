@@ -13,6 +13,10 @@
   X(status) \
   X(show) \
   X(export) \
+  X(new) \
+  X(help) \
+  X(schema) \
+  X(completion) \
   /* a line for each */
 // clang-format on
 

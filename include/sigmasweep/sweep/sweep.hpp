@@ -18,13 +18,16 @@ namespace sigmasweep {
 
 namespace spec {
 struct Entry;
-}
+struct KeyInfo;
+}  // namespace spec
 
 class Sweep;
 
 /// A table of the spec that belongs to a study. The sweep keeps it for the study, which reads it.
 struct SpecSection {
   std::string_view name;
+  std::string_view meaning;              ///< one line
+  std::vector<spec::KeyInfo> (*keys)();  ///< its keys, as help and the JSON schema show them
   /// Throws SpecError if the study cannot read the table or cannot use the sweep.
   void (*require_valid)(const spec::Entry& table, const Sweep& sweep);
 };

@@ -8,15 +8,13 @@
 
 #include "sigmasweep/sweep/sweep.hpp"
 #include "studies/precision/study.hpp"
-#include "sweep/spec/entry.hpp"
+#include "sweep/spec/key.hpp"
 
 namespace sigmasweep {
 namespace {
 
 using namespace spec;
 
-constexpr std::array<std::string_view, 10> keys{"integrators", "steps_per_tc", "tolerances",     "tuples",  "checks",
-                                                "repeats",     "seconds",      "repeat_seconds", "longest", "seed"};
 constexpr std::uint64_t max_scenes = 10'000, max_tuples = 1'000'000, max_repeats = 1000;
 
 double as_positive(const Entry& entry, double most) {
@@ -42,6 +40,29 @@ std::vector<Integrator> as_integrators(const Entry& entry) {
   return integrators;
 }
 
+constexpr auto keys = std::to_array<Key<PrecisionSpec>>({
+    {{"integrators", Form::choices, "integrators to compare", "all", names_of<Integrator>()},
+     [](const Entry& entry, PrecisionSpec& study) { study.integrators = as_integrators(entry); }},
+    {{"steps_per_tc", Form::numbers, "of the integrators of fixed step", "[20, 50, 100, 200, 500, 1000]"},
+     [](const Entry& entry, PrecisionSpec& study) { study.steps_per_tc = as_ladder(entry, 1e9); }},
+    {{"tolerances", Form::numbers, "of exact", "[1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13]"},
+     [](const Entry& entry, PrecisionSpec& study) { study.tolerances = as_ladder(entry, 1.0); }},
+    {{"tuples", Form::whole_number, "random contact phases of a scene", "400"},
+     [](const Entry& entry, PrecisionSpec& study) { study.tuples = as_count(entry, 1, max_tuples); }},
+    {{"checks", Form::whole_number, "number of tuples with both references", "20"},
+     [](const Entry& entry, PrecisionSpec& study) { study.checks = as_count(entry, 1, max_tuples); }},
+    {{"repeats", Form::whole_number, "number of timings; the smallest counts", "5"},
+     [](const Entry& entry, PrecisionSpec& study) { study.repeats = as_count(entry, 1, max_repeats); }},
+    {{"seconds", Form::number, "CPU time for the tuples of one setting, or for the references, s", "0.1"},
+     [](const Entry& entry, PrecisionSpec& study) { study.seconds = as_positive(entry, 1e6); }},
+    {{"repeat_seconds", Form::number, "a setting that has taken longer is not timed again, s", "1"},
+     [](const Entry& entry, PrecisionSpec& study) { study.repeat_seconds = as_positive(entry, 1e6); }},
+    {{"longest", Form::number, "largest CPU time of a tuple, s; slower settings are left out", "0.5"},
+     [](const Entry& entry, PrecisionSpec& study) { study.longest = as_positive(entry, 1e6); }},
+    {{"seed", Form::whole_number, "of the contact phases", "0"},
+     [](const Entry& entry, PrecisionSpec& study) { study.seed = as_count(entry, 0, INT64_MAX); }},
+});
+
 /// Refuses a sweep whose axes are settings of the study, or whose scenes have no integrators.
 void require_scenes(const Entry& table, const Sweep& sweep) {
   if (sweep.size() > max_scenes)
@@ -58,33 +79,12 @@ void require_scenes(const Entry& table, const Sweep& sweep) {
 
 PrecisionSpec read_precision(const spec::Entry& table, const Sweep& sweep) {
   PrecisionSpec study;
-  for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
-    if (entry.name == "integrators")
-      study.integrators = as_integrators(entry);
-    else if (entry.name == "steps_per_tc")
-      study.steps_per_tc = as_ladder(entry, 1e9);
-    else if (entry.name == "tolerances")
-      study.tolerances = as_ladder(entry, 1.0);
-    else if (entry.name == "tuples")
-      study.tuples = as_count(entry, 1, max_tuples);
-    else if (entry.name == "checks")
-      study.checks = as_count(entry, 1, max_tuples);
-    else if (entry.name == "repeats")
-      study.repeats = as_count(entry, 1, max_repeats);
-    else if (entry.name == "seconds")
-      study.seconds = as_positive(entry, 1e6);
-    else if (entry.name == "repeat_seconds")
-      study.repeat_seconds = as_positive(entry, 1e6);
-    else if (entry.name == "longest")
-      study.longest = as_positive(entry, 1e6);
-    else if (entry.name == "seed")
-      study.seed = as_count(entry, 0, INT64_MAX);
-    else
-      refuse_unknown(entry, keys);
-  }
+  read_keys(table, keys, study);
   require_scenes(table, sweep);
   return study;
 }
+
+std::vector<spec::KeyInfo> keys_of_precision() { return infos_of(keys); }
 
 std::optional<PrecisionSpec> precision_of(const Sweep& sweep) {
   const spec::Entry* table = sweep.section(precision_section.name);

@@ -13,10 +13,17 @@
 namespace sigmasweep::spec {
 namespace {
 
-using Names = std::array<std::string_view, 6>;
-constexpr Names known_keys{"from", "to", "count", "scale", "sample", "seed"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"};
 constexpr std::array<std::string_view, 4> samples{"uniform", "log-uniform", "sobol", "latin-hypercube"};
+
+constexpr auto known_keys = std::to_array<KeyInfo>({
+    {"from", Form::number, "first value, or lower end of a sample"},
+    {"to", Form::number, "last value, or upper end of a sample"},
+    {"count", Form::whole_number, "number of values"},
+    {"scale", Form::choice, "whether steps or ratios are even; not of uniform and log-uniform", "linear", scales},
+    {"sample", Form::choice, "kind of a random or quasi-random sample", "none: a range", samples},
+    {"seed", Form::whole_number, "chooses the sample", "0"},
+});
 
 constexpr std::uint64_t max_values = std::uint64_t{1} << 40;
 constexpr std::uint64_t max_stored_values = std::uint64_t{1} << 20;
@@ -47,7 +54,7 @@ std::vector<AnyNumber> read_list(const Entry& entry, const ParameterField& field
 }
 
 /// The keys of a range or a sample.
-struct Form {
+struct AxisTable {
   Interval interval;
   std::uint64_t count = 0;
   std::optional<std::size_t> sample, scale;
@@ -68,15 +75,17 @@ const Entry& need(const Entry& entry, const std::vector<Entry>& keys, std::strin
                             name));
 }
 
-Form read_form(const Entry& entry, const ParameterField& field) {
+AxisTable read_form(const Entry& entry, const ParameterField& field) {
   if (field.type == FieldType::of<Flag>()) refuse(entry, "must be true or false, or a list of them");
   if (!enumerators(field.type).empty())
     refuse(entry, fmt::format("must be a name or a list of names: {}", alternatives(enumerators(field.type))));
   const auto keys = entries(as_table(entry), *entry.file, entry.path);
+  std::array<std::string_view, known_keys.size()> names;
+  std::ranges::transform(known_keys, names.begin(), &KeyInfo::name);
   for (const Entry& key : keys)
-    if (std::find(known_keys.begin(), known_keys.end(), key.name) == known_keys.end()) refuse_unknown(key, known_keys);
+    if (std::ranges::find(names, key.name) == names.end()) refuse_unknown(key, names);
 
-  Form form;
+  AxisTable form;
   form.from = need(entry, keys, "from");
   form.to = need(entry, keys, "to");
   form.counted = need(entry, keys, "count");
@@ -97,7 +106,7 @@ Form read_form(const Entry& entry, const ParameterField& field) {
   return form;
 }
 
-void require_sensible(const Form& form) {
+void require_sensible(const AxisTable& form) {
   const auto& [from, to, log, whole] = form.interval;
   for (const Entry* end : {&form.from, &form.to})
     if (log && as_number(*end) <= 0.0) refuse_value(*end, "a logarithmic axis needs from > 0 and to > 0");
@@ -113,7 +122,7 @@ void require_sensible(const Form& form) {
     refuse_value(form.counted, fmt::format("{} values from {} to {} are not all whole numbers", form.count, from, to));
 }
 
-Sampling sampling_of(const Form& form, const ParameterField& field, std::size_t sobol_dimension) {
+Sampling sampling_of(const AxisTable& form, const ParameterField& field, std::size_t sobol_dimension) {
   const std::uint64_t key = stream_key(form.seed, field.name);
   switch (*form.sample) {
     case 2: return {SampleKind::sobol, form.seed == 0 ? 0 : key, sobol_dimension};
@@ -127,11 +136,13 @@ Sampling sampling_of(const Form& form, const ParameterField& field, std::size_t 
 Setting read_setting(const Entry& entry, const ParameterField& field, std::size_t sobol_dimension) {
   if (entry.node->is_array()) return {entry, &field, Axis::list(read_list(entry, field)), true};
   if (!entry.node->is_table()) return {entry, &field, Axis::list({read_value(entry, field)})};
-  const Form form = read_form(entry, field);
+  const AxisTable form = read_form(entry, field);
   require_sensible(form);
   if (!form.sample) return {entry, &field, Axis::range(form.interval, form.count), true};
   const Sampling sampling = sampling_of(form, field, sobol_dimension);
   return {entry, &field, Axis::sample(form.interval, form.count, sampling), true, sampling.kind == SampleKind::sobol};
 }
+
+std::vector<KeyInfo> keys_of_axis() { return {known_keys.begin(), known_keys.end()}; }
 
 }  // namespace sigmasweep::spec

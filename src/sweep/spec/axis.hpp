@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "sigmasweep/model/fields.hpp"
 #include "sweep/axis.hpp"
 #include "sweep/spec/entry.hpp"
+#include "sweep/spec/key.hpp"
 
 namespace sigmasweep::spec {
 
@@ -20,5 +22,8 @@ struct Setting {
 /// Reads a parameter: a value, list, range or sample. `sobol_dimension` is the dimension of a Sobol sample. Throws
 /// SpecError if a key or a value is not allowed.
 Setting read_setting(const Entry& entry, const ParameterField& field, std::size_t sobol_dimension);
+
+/// The keys of a range or a sample.
+std::vector<KeyInfo> keys_of_axis();
 
 }  // namespace sigmasweep::spec

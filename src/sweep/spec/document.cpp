@@ -15,7 +15,24 @@
 namespace sigmasweep::spec {
 namespace {
 
-constexpr std::array<std::string_view, 5> own_tables{"title", "sweep", "plot", "run", "trajectory"};
+constexpr auto own_keys = std::to_array<KeyInfo>({
+    {"title", Form::text, "the sweep's name, in the table and above pictures", "none"},
+    {.name = "sweep", .form = Form::table, .meaning = "the tuples: parameters and axes", .keys = keys_of_sweep},
+    {.name = "plot",
+     .form = Form::one_or_several,
+     .meaning = "the pictures that 'sigmasweep plot' draws",
+     .usual = "one of eps_eff against sigma; vibrated: of h_cm_excess against alpha",
+     .keys = keys_of_plot},
+    {.name = "run",
+     .form = Form::table,
+     .meaning = "how the sweep is computed; no result depends on it",
+     .keys = keys_of_run},
+    {.name = "trajectory",
+     .form = Form::table,
+     .meaning = "rows whose motion is recorded, an H5MD file each",
+     .usual = "none",
+     .keys = keys_of_trajectory},
+});
 
 /// Refuses a plot whose data the sweep does not have.
 void require_plottable(const Entry& entry, const PlotSpec& plot, const Document& document) {
@@ -41,8 +58,8 @@ std::vector<PlotSpec> plots_of(const std::optional<Entry>& entry, const Document
 }
 
 void require_known(const Entry& entry, std::span<const SpecSection> sections) {
-  std::vector<std::string_view> known(own_tables.begin(), own_tables.end());
-  for (const SpecSection& section : sections) known.push_back(section.name);
+  std::vector<std::string_view> known;
+  for (const KeyInfo& key : keys_of_spec(sections)) known.push_back(key.name);
   if (std::ranges::find(known, entry.name) == known.end()) refuse_unknown(entry, known);
 }
 
@@ -74,6 +91,13 @@ void read_tables(Document& document, std::span<const SpecSection> sections, bool
   mistakes.keep([&] { document.plots = plots_of(plot, document); });
   mistakes.refuse_any(Mistakes::readable);
   if (!document.grid) throw SpecError(fmt::format("{}: the table [sweep] is missing", document.file));
+}
+
+std::vector<KeyInfo> keys_of_spec(std::span<const SpecSection> sections) {
+  std::vector<KeyInfo> keys(own_keys.begin(), own_keys.end());
+  for (const SpecSection& section : sections)
+    keys.push_back({.name = section.name, .form = Form::table, .meaning = section.meaning, .keys = section.keys});
+  return keys;
 }
 
 }  // namespace sigmasweep::spec

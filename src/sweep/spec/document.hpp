@@ -8,6 +8,7 @@
 
 #include "sigmasweep/sweep/sweep.hpp"
 #include "sweep/spec/entry.hpp"
+#include "sweep/spec/key.hpp"
 #include "sweep/spec/mistakes.hpp"
 #include "sweep/spec/sweep.hpp"
 
@@ -33,5 +34,8 @@ struct Document {
 
 /// Reads the sweep's own tables. Another table must have the name of one of `sections`, unless `any_section`.
 void read_tables(Document& document, std::span<const SpecSection> sections, bool any_section);
+
+/// The keys of a spec outside all tables: its title, and its tables.
+std::vector<KeyInfo> keys_of_spec(std::span<const SpecSection> sections);
 
 }  // namespace sigmasweep::spec

@@ -17,11 +17,6 @@
 namespace sigmasweep::spec {
 namespace {
 
-constexpr auto plot_keys =
-    std::to_array<std::string_view>({"name", "kind", "x", "y", "x_label", "y_label", "x_scale", "y_scale", "series",
-                                     "title", "where", "mean_over", "lines", "fit", "guides", "y_error"});
-constexpr std::array<std::string_view, 3> fit_keys{"form", "from", "to"};
-constexpr std::array<std::string_view, 7> guide_keys{"slope", "y", "label", "through", "where", "from", "to"};
 constexpr std::array<std::string_view, 3> kinds{"points", "trajectories", "stability"};
 constexpr std::array<std::string_view, 2> scales{"linear", "log"}, film_axes{"time", "phase"};
 constexpr std::array<std::string_view, 2> forms{"power", "line"};
@@ -70,18 +65,18 @@ std::string as_name(const Entry& entry) {
   return name;
 }
 
+constexpr auto fit_keys = std::to_array<Key<FitSpec>>({
+    {{"form", Form::choice, "y = A x^b, fitted in the logarithms, or y = a + b x", "power", forms},
+     [](const Entry& entry, FitSpec& fit) { fit.form = static_cast<FitSpec::Form>(as_one_of(entry, forms)); }},
+    {{"from", Form::number, "points from this x on are fitted", "all"},
+     [](const Entry& entry, FitSpec& fit) { fit.from = as_finite(entry); }},
+    {{"to", Form::number, "points up to this x are fitted", "all"},
+     [](const Entry& entry, FitSpec& fit) { fit.to = as_finite(entry); }},
+});
+
 FitSpec read_fit(const Entry& table) {
   FitSpec fit;
-  for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
-    if (entry.name == "form")
-      fit.form = static_cast<FitSpec::Form>(as_one_of(entry, forms));
-    else if (entry.name == "from")
-      fit.from = as_finite(entry);
-    else if (entry.name == "to")
-      fit.to = as_finite(entry);
-    else
-      refuse_unknown(entry, fit_keys);
-  }
+  read_keys(table, fit_keys, fit);
   if (!(fit.from < fit.to)) refuse(table, "'from' must be less than 'to'");
   return fit;
 }
@@ -102,29 +97,40 @@ std::string as_function(const Entry& entry) {
   return text;
 }
 
-GuideSpec read_guide(const Entry& table) {
-  GuideSpec guide;
+struct Guide {
+  GuideSpec spec;
   bool sloped = false;
-  for (const Entry& entry : entries(as_table(table), *table.file, table.path)) {
-    if (entry.name == "label")
-      guide.label = as_string(entry);
-    else if (entry.name == "slope")
-      guide.slope = as_finite(entry), sloped = true;
-    else if (entry.name == "y" && entry.node->is_string())
-      guide.curve = as_function(entry);
-    else if (entry.name == "y")
-      guide.y = as_finite(entry);
-    else if (entry.name == "through")
-      guide.through = as_point(entry);
-    else if (entry.name == "where")
-      guide.where = as_expression<Where>(entry);
-    else if (entry.name == "from")
-      guide.from = as_finite(entry);
-    else if (entry.name == "to")
-      guide.to = as_finite(entry);
-    else
-      refuse_unknown(entry, guide_keys);
-  }
+};
+
+constexpr auto guide_keys = std::to_array<Key<Guide>>({
+    {{"slope", Form::number, "of a straight line; on two logarithmic axes that of log y against log x"},
+     [](const Entry& entry, Guide& guide) { guide.spec.slope = as_finite(entry), guide.sloped = true; }},
+    {{.name = "y",
+      .form = Form::expression,
+      .meaning = "a horizontal line at this y, or a curve, y as a function of x",
+      .also_number = true},
+     [](const Entry& entry, Guide& guide) {
+       if (entry.node->is_string())
+         guide.spec.curve = as_function(entry);
+       else
+         guide.spec.y = as_finite(entry);
+     }},
+    {{"label", Form::text, "its name in the key", "none"},
+     [](const Entry& entry, Guide& guide) { guide.spec.label = as_string(entry); }},
+    {{"through", Form::point, "a point [x, y] of a line with a slope", "the last one of the data"},
+     [](const Entry& entry, Guide& guide) { guide.spec.through = as_point(entry); }},
+    {{"where", Form::condition, "rows whose last point the line goes through", "all"},
+     [](const Entry& entry, Guide& guide) { guide.spec.where = as_expression<Where>(entry); }},
+    {{"from", Form::number, "the line begins at this x", "at the edge"},
+     [](const Entry& entry, Guide& guide) { guide.spec.from = as_finite(entry); }},
+    {{"to", Form::number, "the line ends at this x", "at the edge"},
+     [](const Entry& entry, Guide& guide) { guide.spec.to = as_finite(entry); }},
+});
+
+GuideSpec read_guide(const Entry& table) {
+  Guide read;
+  read_keys(table, guide_keys, read);
+  const auto& [guide, sloped] = read;
   const bool has_y = guide.y || !guide.curve.empty();
   if (sloped == has_y) refuse(table, "a guide has either 'slope' or 'y'");
   if (has_y && (guide.through || !guide.where.empty())) refuse(table, "'through' and 'where' belong to 'slope'");
@@ -169,50 +175,60 @@ PlotKind kind_of(const std::vector<Entry>& keys) {
   return kind == keys.end() ? PlotKind::points : static_cast<PlotKind>(as_one_of(*kind, kinds));
 }
 
-void read_key(const Entry& entry, PlotSpec& spec) {
-  if (entry.name == "kind") return;
-  if (entry.name == "name")
-    spec.name = as_name(entry);
-  else if (entry.name == "x" && spec.kind == PlotKind::trajectories)
-    spec.by_phase = as_one_of(entry, film_axes) == 1;
-  else if (entry.name == "x")
-    spec.x = as_expression<Formula>(entry);
-  else if (entry.name == "y")
-    spec.y = as_expression<Formula>(entry);
-  else if (entry.name == "y_error")
-    spec.y_error = as_expression<Formula>(entry);
-  else if (entry.name == "x_label")
-    spec.x_label = as_string(entry);
-  else if (entry.name == "y_label")
-    spec.y_label = as_string(entry);
-  else if (entry.name == "x_scale")
-    spec.x_log = as_one_of(entry, scales) == 1;
-  else if (entry.name == "y_scale")
-    spec.y_log = as_one_of(entry, scales) == 1;
-  else if (entry.name == "title")
-    spec.title = as_string(entry);
-  else if (entry.name == "series")
-    spec.series = as_fields(entry);
-  else if (entry.name == "where")
-    spec.where = as_expression<Where>(entry);
-  else if (entry.name == "mean_over")
-    spec.mean_over = as_fields(entry);
-  else if (entry.name == "lines")
-    spec.lines = as_truth(entry);
-  else if (entry.name == "fit")
-    spec.fit = read_fit(entry);
-  else if (entry.name == "guides")
-    spec.guides = read_guides(entry);
+void read_x(const Entry& entry, PlotSpec& plot) {
+  if (plot.kind == PlotKind::trajectories)
+    plot.by_phase = as_one_of(entry, film_axes) == 1;
   else
-    refuse_unknown(entry, plot_keys);
+    plot.x = as_expression<Formula>(entry);
 }
 
+/// The kind is read before all other keys.
+constexpr auto plot_keys = std::to_array<Key<PlotSpec>>({
+    {{"name", Form::text, "letters, digits, - and _, for the file of one of several plots", "none"},
+     [](const Entry& entry, PlotSpec& plot) { plot.name = as_name(entry); }},
+    {{"kind", Form::choice, "rows as points, trajectories as panels, or which time steps are stable", "points", kinds},
+     [](const Entry&, PlotSpec&) {}},
+    {{"x", Form::expression, "field or expression; of trajectories 'time' or 'phase'", "sigma; vibrated: alpha"},
+     read_x},
+    {{"y", Form::expression, "field or expression", "eps_eff; vibrated: h_cm_excess"},
+     [](const Entry& entry, PlotSpec& plot) { plot.y = as_expression<Formula>(entry); }},
+    {{"x_label", Form::text, "label of the axis", "made from x"},
+     [](const Entry& entry, PlotSpec& plot) { plot.x_label = as_string(entry); }},
+    {{"y_label", Form::text, "label of the axis", "made from y"},
+     [](const Entry& entry, PlotSpec& plot) { plot.y_label = as_string(entry); }},
+    {{"x_scale", Form::choice, "scale of the axis", "log; vibrated: linear", scales},
+     [](const Entry& entry, PlotSpec& plot) { plot.x_log = as_one_of(entry, scales) == 1; }},
+    {{"y_scale", Form::choice, "scale of the axis", "linear", scales},
+     [](const Entry& entry, PlotSpec& plot) { plot.y_log = as_one_of(entry, scales) == 1; }},
+    {{"series", Form::fields, "fields: a curve for each combination of their values", "one curve"},
+     [](const Entry& entry, PlotSpec& plot) { plot.series = as_fields(entry); }},
+    {{"title", Form::text, "above the picture", "the spec's"},
+     [](const Entry& entry, PlotSpec& plot) { plot.title = as_string(entry); }},
+    {{"where", Form::condition, "condition on the rows that are drawn", "all rows"},
+     [](const Entry& entry, PlotSpec& plot) { plot.where = as_expression<Where>(entry); }},
+    {{"mean_over", Form::fields, "rows that differ in these fields only are averaged", "none"},
+     [](const Entry& entry, PlotSpec& plot) { plot.mean_over = as_fields(entry); }},
+    {{"lines", Form::truth, "whether the points of a curve are joined", "false"},
+     [](const Entry& entry, PlotSpec& plot) { plot.lines = as_truth(entry); }},
+    {{.name = "fit",
+      .form = Form::table,
+      .meaning = "a line fitted to each curve by least squares",
+      .usual = "none",
+      .keys = [] { return infos_of(fit_keys); }},
+     [](const Entry& entry, PlotSpec& plot) { plot.fit = read_fit(entry); }},
+    {{.name = "guides",
+      .form = Form::tables,
+      .meaning = "dashed lines to compare with",
+      .usual = "none",
+      .keys = [] { return infos_of(guide_keys); }},
+     [](const Entry& entry, PlotSpec& plot) { plot.guides = read_guides(entry); }},
+    {{"y_error", Form::expression, "field or expression of error bars", "h_cm_error of h_cm and h_cm_excess"},
+     [](const Entry& entry, PlotSpec& plot) { plot.y_error = as_expression<Formula>(entry); }},
+});
+
 PlotSpec read_plot(const Entry& plot, PlotSpec spec) {
-  const auto keys = entries(as_table(plot), *plot.file, plot.path);
-  spec.kind = kind_of(keys);
-  Mistakes mistakes;
-  for (const Entry& entry : keys) mistakes.keep([&] { read_key(entry, spec); });
-  mistakes.refuse_any();
+  spec.kind = kind_of(entries(as_table(plot), *plot.file, plot.path));
+  read_keys(plot, plot_keys, spec);
   require_drawable(spec, plot);
   if (!spec.y_error.empty() && !spec.mean_over.empty())
     refuse(plot, "'y_error' and 'mean_over' conflict: the bars of means are standard deviations");
@@ -250,5 +266,7 @@ std::vector<PlotSpec> read_plots(const Entry& plot, const PlotSpec& usual) {
   if (main != plots.end()) std::rotate(plots.begin(), main, main + 1);
   return plots;
 }
+
+std::vector<KeyInfo> keys_of_plot() { return infos_of(plot_keys); }
 
 }  // namespace sigmasweep::spec

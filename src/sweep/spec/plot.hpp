@@ -4,6 +4,7 @@
 
 #include "sigmasweep/sweep/sweep.hpp"
 #include "sweep/spec/entry.hpp"
+#include "sweep/spec/key.hpp"
 #include "sweep/spec/sweep.hpp"
 
 namespace sigmasweep::spec {
@@ -12,5 +13,6 @@ namespace sigmasweep::spec {
 PlotSpec usual_plot(const Grid& grid);
 /// Reads [plot], one or several. Throws SpecError.
 std::vector<PlotSpec> read_plots(const Entry& plot, const PlotSpec& usual);
+std::vector<KeyInfo> keys_of_plot();
 
 }  // namespace sigmasweep::spec

@@ -2,32 +2,30 @@
 
 #include <array>
 
-#include "sweep/spec/mistakes.hpp"
-
 namespace sigmasweep::spec {
 namespace {
 
-constexpr std::array<std::string_view, 2> keys{"manager", "tuple_time_limit"};
 constexpr std::array<std::string_view, 3> managers{"auto", "computes", "dedicated"};
+
+constexpr auto keys = std::to_array<Key<RunSpec>>({
+    {{"manager", Form::choice, "whether the manager rank also computes", "auto", managers},
+     [](const Entry& entry, RunSpec& run) { run.manager = static_cast<ManagerRole>(as_one_of(entry, managers)); }},
+    {{"tuple_time_limit", Form::number, "CPU time after which a tuple is given up, s",
+      "100 times the predicted time, at least 60"},
+     [](const Entry& entry, RunSpec& run) {
+       run.tuple_time_limit = as_number(entry);
+       if (!(*run.tuple_time_limit > 0.0)) refuse_value(entry, "must be a time > 0, in s");
+     }},
+});
 
 }  // namespace
 
-RunSpec read_run(const Entry& run) {
-  RunSpec spec;
-  Mistakes mistakes;
-  const auto read = [&](const Entry& entry) {
-    if (entry.name == "manager") {
-      spec.manager = static_cast<ManagerRole>(as_one_of(entry, managers));
-    } else if (entry.name == "tuple_time_limit") {
-      spec.tuple_time_limit = as_number(entry);
-      if (!(*spec.tuple_time_limit > 0.0)) refuse_value(entry, "must be a time > 0, in s");
-    } else {
-      refuse_unknown(entry, keys);
-    }
-  };
-  for (const Entry& entry : entries(as_table(run), *run.file, run.path)) mistakes.keep([&] { read(entry); });
-  mistakes.refuse_any();
-  return spec;
+RunSpec read_run(const Entry& table) {
+  RunSpec run;
+  read_keys(table, keys, run);
+  return run;
 }
+
+std::vector<KeyInfo> keys_of_run() { return infos_of(keys); }
 
 }  // namespace sigmasweep::spec

@@ -27,12 +27,15 @@ constexpr std::size_t short_expression = 64;  // characters
 constexpr std::uint64_t max_filtered_slowly = std::uint64_t{1} << 17;
 
 /// Keys of [sweep] that are not parameters.
-constexpr std::array<std::string_view, 2> other_keys{"zip", "where"};
+constexpr auto other_keys = std::to_array<KeyInfo>({
+    {"zip", Form::groups, "groups of axes that advance together", "all axes multiply"},
+    {"where", Form::condition, "condition on the parameters of the tuples that are computed", "all tuples"},
+});
 
 void require_known(const Entry& key) {
   std::vector<std::string_view> known;
   for (const Field& field : parameter_fields()) known.push_back(field.name);
-  known.insert(known.end(), other_keys.begin(), other_keys.end());
+  for (const KeyInfo& other : other_keys) known.push_back(other.name);
   if (std::find(known.begin(), known.end(), key.name) == known.end()) refuse_unknown(key, known);
 }
 
@@ -212,5 +215,7 @@ std::optional<Grid> read_sweep(const Entry& sweep, bool keys_alone) {
   if (where) grid.selection = select(*where, settings, grid.product);
   return grid;
 }
+
+std::vector<KeyInfo> keys_of_sweep() { return {other_keys.begin(), other_keys.end()}; }
 
 }  // namespace sigmasweep::spec

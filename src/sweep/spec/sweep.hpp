@@ -8,6 +8,7 @@
 #include "sweep/grid.hpp"
 #include "sweep/selection.hpp"
 #include "sweep/spec/entry.hpp"
+#include "sweep/spec/key.hpp"
 
 namespace sigmasweep::spec {
 
@@ -23,5 +24,7 @@ struct Grid {
 
 /// Reads the table [sweep]. Nothing if `keys_alone` are to be checked, each by itself. Throws SpecError.
 std::optional<Grid> read_sweep(const Entry& sweep, bool keys_alone);
+/// The keys of [sweep] that are not parameters.
+std::vector<KeyInfo> keys_of_sweep();
 
 }  // namespace sigmasweep::spec

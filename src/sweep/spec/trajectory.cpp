@@ -8,12 +8,10 @@
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/geometry.hpp"
 #include "sweep/expression/where.hpp"
-#include "sweep/spec/mistakes.hpp"
 
 namespace sigmasweep::spec {
 namespace {
 
-constexpr std::array<std::string_view, 3> keys{"samples", "duration", "where"};
 constexpr std::uint64_t max_samples = 1'000'000, max_values = std::uint64_t{1} << 26;
 constexpr std::uint64_t max_searched = std::uint64_t{1} << 24;  // rows that `where` selects from; a few seconds
 
@@ -60,38 +58,38 @@ void require_room(const Entry& table, const TrajectorySpec& spec, const Sweep& s
                                 spec.samples, p.N, row, max_values));
 }
 
-struct Keys {
+struct Contents {
   TrajectorySpec spec;  ///< without its rows
   std::optional<Entry> where;
 };
 
-Keys read_keys(const Entry& table) {
-  Keys read;
-  Mistakes mistakes;
-  for (const Entry& entry : entries(as_table(table), *table.file, table.path))
-    mistakes.keep([&] {
-      if (entry.name == "samples")
-        read.spec.samples = as_count(entry, 2, max_samples);
-      else if (entry.name == "duration")
-        read.spec.duration = as_duration(entry);
-      else if (entry.name == "where")
-        as_condition(*(read.where = entry));
-      else
-        refuse_unknown(entry, keys);
-    });
-  mistakes.refuse_any();
-  return read;
+constexpr auto keys = std::to_array<Key<Contents>>({
+    {{"samples", Form::whole_number, "number of samples, evenly spaced in time, both ends included", "1001"},
+     [](const Entry& entry, Contents& table) { table.spec.samples = as_count(entry, 2, max_samples); }},
+    {{"duration", Form::number, "time from the start, s",
+      "1.5 times the time to the last contact with the wall; on a plate 10 periods"},
+     [](const Entry& entry, Contents& table) { table.spec.duration = as_duration(entry); }},
+    {{"where", Form::condition, "condition on the parameters of the rows that are recorded", "all rows"},
+     [](const Entry& entry, Contents& table) { as_condition(*(table.where = entry)); }},
+});
+
+Contents read_contents(const Entry& table) {
+  Contents contents;
+  read_keys(table, keys, contents);
+  return contents;
 }
 
 }  // namespace
 
-void require_trajectory_keys(const Entry& table) { read_keys(table); }
+void require_trajectory_keys(const Entry& table) { read_contents(table); }
 
 TrajectorySpec read_trajectory(const Entry& table, const Sweep& sweep) {
-  auto [spec, where] = read_keys(table);
+  auto [spec, where] = read_contents(table);
   spec.rows = chosen_rows(table, where ? &*where : nullptr, sweep);
   require_room(table, spec, sweep);
   return spec;
 }
+
+std::vector<KeyInfo> keys_of_trajectory() { return infos_of(keys); }
 
 }  // namespace sigmasweep::spec

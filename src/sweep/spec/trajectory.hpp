@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include "sigmasweep/sweep/sweep.hpp"
 #include "sweep/spec/entry.hpp"
+#include "sweep/spec/key.hpp"
 
 namespace sigmasweep::spec {
 
@@ -9,5 +12,6 @@ namespace sigmasweep::spec {
 void require_trajectory_keys(const Entry& trajectory);
 /// The table [trajectory], with the rows of the sweep that satisfy its condition. Throws SpecError.
 TrajectorySpec read_trajectory(const Entry& trajectory, const Sweep& sweep);
+std::vector<KeyInfo> keys_of_trajectory();
 
 }  // namespace sigmasweep::spec
