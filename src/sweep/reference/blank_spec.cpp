@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/fields/conditions.hpp"
-#include "sigmasweep/model/geometry.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "sweep/spec/document.hpp"
 
@@ -33,7 +32,8 @@ constexpr auto vibration = std::to_array<Given>({
 });
 
 std::vector<Given> example_of(Geometry geometry) {
-  const bool lattice = is_lattice({.geometry = geometry}), vibrated = is_vibrated({.geometry = geometry});
+  const bool lattice = conditions::lattice.holds({.geometry = geometry}),
+             vibrated = conditions::vibrates.holds({.geometry = geometry});
   std::vector<Given> example{lattice ? Given{"rows", vibrated ? "4" : "10"} : Given{"N", "[5, 10, 20]"}};
   if (lattice) example.push_back({"columns", vibrated ? "6" : "13"});
   if (vibrated)
@@ -45,7 +45,8 @@ std::vector<Given> example_of(Geometry geometry) {
 
 /// Whether tuples of this geometry may use the parameter, with some values of the others.
 bool may_use(Geometry geometry, const ParameterField& field) {
-  const bool lattice = is_lattice({.geometry = geometry}), vibrated = is_vibrated({.geometry = geometry});
+  const bool lattice = conditions::lattice.holds({.geometry = geometry}),
+             vibrated = conditions::vibrates.holds({.geometry = geometry});
   const auto needs = [&](const Condition& condition) {
     return std::ranges::find(field.applies, &condition) != field.applies.end();
   };

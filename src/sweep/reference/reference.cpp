@@ -12,26 +12,26 @@
 namespace sigmasweep {
 namespace {
 
-using spec::Form;
+using spec::KeyForm;
 using spec::KeyInfo;
 
-std::string_view name_of(Form form) {
+std::string_view name_of(KeyForm form) {
   switch (form) {
-    case Form::text: return "text";
-    case Form::number: return "number";
-    case Form::whole_number: return "whole number";
-    case Form::truth: return "true or false";
-    case Form::choice: return "name";
-    case Form::fields: return "field, or a list of fields";
-    case Form::expression: return "expression";
-    case Form::condition: return "condition";
-    case Form::point: return "point";
-    case Form::numbers: return "list of numbers";
-    case Form::choices: return "list of names";
-    case Form::groups: return "list of groups";
-    case Form::table: return "table";
-    case Form::tables: return "list of tables";
-    case Form::one_or_several: return "table, or several";
+    case KeyForm::text: return "text";
+    case KeyForm::number: return "number";
+    case KeyForm::whole_number: return "whole number";
+    case KeyForm::truth: return "true or false";
+    case KeyForm::choice: return "name";
+    case KeyForm::fields: return "field, or a list of fields";
+    case KeyForm::expression: return "expression";
+    case KeyForm::condition: return "condition";
+    case KeyForm::point: return "point";
+    case KeyForm::numbers: return "list of numbers";
+    case KeyForm::choices: return "list of names";
+    case KeyForm::groups: return "list of groups";
+    case KeyForm::table: return "table";
+    case KeyForm::tables: return "list of tables";
+    case KeyForm::one_or_several: return "table, or several";
   }
   return {};
 }
@@ -116,7 +116,8 @@ The `y` of a guide is a function of `x`.
 )";
 
 std::string section_of(const KeyInfo& table) {
-  if (table.form == Form::text) return fmt::format("`{}` ({}): {}\n\n", table.name, name_of(table.form), table.meaning);
+  if (table.form == KeyForm::text)
+    return fmt::format("`{}` ({}): {}\n\n", table.name, name_of(table.form), table.meaning);
   if (table.name == "plot") return plot_reference() + "\n";
   if (table.name != "sweep")
     return fmt::format("## [{}]: {}\n\n{}\n", table.name, table.meaning, lines_of(table.keys()));

@@ -12,7 +12,7 @@ namespace sigmasweep {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using spec::Form;
+using spec::KeyForm;
 using spec::KeyInfo;
 
 Json of_type(std::string_view type) { return {{"type", type}}; }
@@ -38,21 +38,22 @@ Json object_of(const std::vector<KeyInfo>& keys);
 /// The schema of a key's value, without its description.
 Json value_of(const KeyInfo& key) {
   switch (key.form) {
-    case Form::text:
-    case Form::condition: return of_type("string");
-    case Form::expression: return key.also_number ? any_of({of_type("string"), of_type("number")}) : of_type("string");
-    case Form::number: return of_type("number");
-    case Form::whole_number: return of_type("integer");
-    case Form::truth: return of_type("boolean");
-    case Form::choice: return one_of(key.choices);
-    case Form::choices: return array_of(one_of(key.choices), 1);
-    case Form::numbers: return array_of(of_type("number"), 1);
-    case Form::fields: return any_of({defined("field"), array_of(defined("field"), 0)});
-    case Form::point: return point();
-    case Form::groups: return array_of(array_of(defined("parameter"), 2), 0);
-    case Form::table: return object_of(key.keys());
-    case Form::tables: return array_of(object_of(key.keys()), 0);
-    case Form::one_or_several: return any_of({object_of(key.keys()), array_of(object_of(key.keys()), 1)});
+    case KeyForm::text:
+    case KeyForm::condition: return of_type("string");
+    case KeyForm::expression:
+      return key.also_number ? any_of({of_type("string"), of_type("number")}) : of_type("string");
+    case KeyForm::number: return of_type("number");
+    case KeyForm::whole_number: return of_type("integer");
+    case KeyForm::truth: return of_type("boolean");
+    case KeyForm::choice: return one_of(key.choices);
+    case KeyForm::choices: return array_of(one_of(key.choices), 1);
+    case KeyForm::numbers: return array_of(of_type("number"), 1);
+    case KeyForm::fields: return any_of({defined("field"), array_of(defined("field"), 0)});
+    case KeyForm::point: return point();
+    case KeyForm::groups: return array_of(array_of(defined("parameter"), 2), 0);
+    case KeyForm::table: return object_of(key.keys());
+    case KeyForm::tables: return array_of(object_of(key.keys()), 0);
+    case KeyForm::one_or_several: return any_of({object_of(key.keys()), array_of(object_of(key.keys()), 1)});
   }
   return Json::object();
 }

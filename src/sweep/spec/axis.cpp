@@ -17,12 +17,12 @@ constexpr std::array<std::string_view, 2> scales{"linear", "log"};
 constexpr std::array<std::string_view, 4> samples{"uniform", "log-uniform", "sobol", "latin-hypercube"};
 
 constexpr auto known_keys = std::to_array<KeyInfo>({
-    {"from", Form::number, "first value, or lower end of a sample"},
-    {"to", Form::number, "last value, or upper end of a sample"},
-    {"count", Form::whole_number, "number of values"},
-    {"scale", Form::choice, "whether steps or ratios are even; not of uniform and log-uniform", "linear", scales},
-    {"sample", Form::choice, "kind of a random or quasi-random sample", "none: a range", samples},
-    {"seed", Form::whole_number, "chooses the sample", "0"},
+    {"from", KeyForm::number, "first value, or lower end of a sample"},
+    {"to", KeyForm::number, "last value, or upper end of a sample"},
+    {"count", KeyForm::whole_number, "number of values"},
+    {"scale", KeyForm::choice, "whether steps or ratios are even; not of uniform and log-uniform", "linear", scales},
+    {"sample", KeyForm::choice, "kind of a random or quasi-random sample", "none: a range", samples},
+    {"seed", KeyForm::whole_number, "chooses the sample", "0"},
 });
 
 constexpr std::uint64_t max_values = std::uint64_t{1} << 40;

@@ -8,7 +8,7 @@
 
 #include "model/fields/conditions.hpp"
 #include "sigmasweep/model/relevance.hpp"
-#include "sweep/spec/mistakes.hpp"
+#include "sweep/toml/mistakes.hpp"
 
 namespace sigmasweep::spec {
 namespace {

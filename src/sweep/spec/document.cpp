@@ -16,19 +16,19 @@ namespace sigmasweep::spec {
 namespace {
 
 constexpr auto own_keys = std::to_array<KeyInfo>({
-    {"title", Form::text, "the sweep's name, in the table and above pictures", "none"},
-    {.name = "sweep", .form = Form::table, .meaning = "the tuples: parameters and axes", .keys = keys_of_sweep},
+    {"title", KeyForm::text, "the sweep's name, in the table and above pictures", "none"},
+    {.name = "sweep", .form = KeyForm::table, .meaning = "the tuples: parameters and axes", .keys = keys_of_sweep},
     {.name = "plot",
-     .form = Form::one_or_several,
+     .form = KeyForm::one_or_several,
      .meaning = "the pictures that 'sigmasweep plot' draws",
      .usual = "one of eps_eff against sigma; vibrated: of h_cm_excess against alpha",
      .keys = keys_of_plot},
     {.name = "run",
-     .form = Form::table,
+     .form = KeyForm::table,
      .meaning = "how the sweep is computed; no result depends on it",
      .keys = keys_of_run},
     {.name = "trajectory",
-     .form = Form::table,
+     .form = KeyForm::table,
      .meaning = "rows whose motion is recorded, an H5MD file each",
      .usual = "none",
      .keys = keys_of_trajectory},
@@ -96,7 +96,7 @@ void read_tables(Document& document, std::span<const SpecSection> sections, bool
 std::vector<KeyInfo> keys_of_spec(std::span<const SpecSection> sections) {
   std::vector<KeyInfo> keys(own_keys.begin(), own_keys.end());
   for (const SpecSection& section : sections)
-    keys.push_back({.name = section.name, .form = Form::table, .meaning = section.meaning, .keys = section.keys});
+    keys.push_back({.name = section.name, .form = KeyForm::table, .meaning = section.meaning, .keys = section.keys});
   return keys;
 }
 

@@ -9,8 +9,8 @@
 #include "sigmasweep/sweep/sweep.hpp"
 #include "sweep/spec/entry.hpp"
 #include "sweep/spec/key.hpp"
-#include "sweep/spec/mistakes.hpp"
 #include "sweep/spec/sweep.hpp"
+#include "sweep/toml/mistakes.hpp"
 
 namespace sigmasweep::spec {
 

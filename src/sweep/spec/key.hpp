@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "sweep/spec/entry.hpp"
-#include "sweep/spec/mistakes.hpp"
+#include "sweep/toml/mistakes.hpp"
 
 /// Keys of the spec's tables: how each is read, and how help, the reference and the JSON schema show it.
 namespace sigmasweep::spec {
 
 /// The form of a key's value.
-enum class Form {
+enum class KeyForm {
   text,
   number,
   whole_number,
@@ -35,11 +35,11 @@ enum class Form {
 /// A key as it is shown.
 struct KeyInfo {
   std::string_view name;
-  Form form = Form::text;
+  KeyForm form = KeyForm::text;
   std::string_view meaning;                     ///< one line
   std::string_view usual{};                     ///< the default; empty: none
-  std::span<const std::string_view> choices{};  ///< of Form::choice and choices
-  std::vector<KeyInfo> (*keys)() = nullptr;     ///< of Form::table and tables
+  std::span<const std::string_view> choices{};  ///< of KeyForm::choice and choices
+  std::vector<KeyInfo> (*keys)() = nullptr;     ///< of KeyForm::table and tables
   bool also_number = false;                     ///< an expression that may be a number
 };
 

@@ -12,7 +12,7 @@
 #include "sigmasweep/model/geometry.hpp"
 #include "sweep/expression/formula.hpp"
 #include "sweep/expression/where.hpp"
-#include "sweep/spec/mistakes.hpp"
+#include "sweep/toml/mistakes.hpp"
 
 namespace sigmasweep::spec {
 namespace {
@@ -66,11 +66,11 @@ std::string as_name(const Entry& entry) {
 }
 
 constexpr auto fit_keys = std::to_array<Key<FitSpec>>({
-    {{"form", Form::choice, "y = A x^b, fitted in the logarithms, or y = a + b x", "power", forms},
+    {{"form", KeyForm::choice, "y = A x^b, fitted in the logarithms, or y = a + b x", "power", forms},
      [](const Entry& entry, FitSpec& fit) { fit.form = static_cast<FitSpec::Form>(as_one_of(entry, forms)); }},
-    {{"from", Form::number, "points from this x on are fitted", "all"},
+    {{"from", KeyForm::number, "points from this x on are fitted", "all"},
      [](const Entry& entry, FitSpec& fit) { fit.from = as_finite(entry); }},
-    {{"to", Form::number, "points up to this x are fitted", "all"},
+    {{"to", KeyForm::number, "points up to this x are fitted", "all"},
      [](const Entry& entry, FitSpec& fit) { fit.to = as_finite(entry); }},
 });
 
@@ -103,10 +103,10 @@ struct Guide {
 };
 
 constexpr auto guide_keys = std::to_array<Key<Guide>>({
-    {{"slope", Form::number, "of a straight line; on two logarithmic axes that of log y against log x"},
+    {{"slope", KeyForm::number, "of a straight line; on two logarithmic axes that of log y against log x"},
      [](const Entry& entry, Guide& guide) { guide.spec.slope = as_finite(entry), guide.sloped = true; }},
     {{.name = "y",
-      .form = Form::expression,
+      .form = KeyForm::expression,
       .meaning = "a horizontal line at this y, or a curve, y as a function of x",
       .also_number = true},
      [](const Entry& entry, Guide& guide) {
@@ -115,15 +115,15 @@ constexpr auto guide_keys = std::to_array<Key<Guide>>({
        else
          guide.spec.y = as_finite(entry);
      }},
-    {{"label", Form::text, "its name in the key", "none"},
+    {{"label", KeyForm::text, "its name in the key", "none"},
      [](const Entry& entry, Guide& guide) { guide.spec.label = as_string(entry); }},
-    {{"through", Form::point, "a point [x, y] of a line with a slope", "the last one of the data"},
+    {{"through", KeyForm::point, "a point [x, y] of a line with a slope", "the last one of the data"},
      [](const Entry& entry, Guide& guide) { guide.spec.through = as_point(entry); }},
-    {{"where", Form::condition, "rows whose last point the line goes through", "all"},
+    {{"where", KeyForm::condition, "rows whose last point the line goes through", "all"},
      [](const Entry& entry, Guide& guide) { guide.spec.where = as_expression<Where>(entry); }},
-    {{"from", Form::number, "the line begins at this x", "at the edge"},
+    {{"from", KeyForm::number, "the line begins at this x", "at the edge"},
      [](const Entry& entry, Guide& guide) { guide.spec.from = as_finite(entry); }},
-    {{"to", Form::number, "the line ends at this x", "at the edge"},
+    {{"to", KeyForm::number, "the line ends at this x", "at the edge"},
      [](const Entry& entry, Guide& guide) { guide.spec.to = as_finite(entry); }},
 });
 
@@ -184,45 +184,46 @@ void read_x(const Entry& entry, PlotSpec& plot) {
 
 /// The kind is read before all other keys.
 constexpr auto plot_keys = std::to_array<Key<PlotSpec>>({
-    {{"name", Form::text, "letters, digits, - and _, for the file of one of several plots", "none"},
+    {{"name", KeyForm::text, "letters, digits, - and _, for the file of one of several plots", "none"},
      [](const Entry& entry, PlotSpec& plot) { plot.name = as_name(entry); }},
-    {{"kind", Form::choice, "rows as points, trajectories as panels, or which time steps are stable", "points", kinds},
+    {{"kind", KeyForm::choice, "rows as points, trajectories as panels, or which time steps are stable", "points",
+      kinds},
      [](const Entry&, PlotSpec&) {}},
-    {{"x", Form::expression, "field or expression; of trajectories 'time' or 'phase'", "sigma; vibrated: alpha"},
+    {{"x", KeyForm::expression, "field or expression; of trajectories 'time' or 'phase'", "sigma; vibrated: alpha"},
      read_x},
-    {{"y", Form::expression, "field or expression", "eps_eff; vibrated: h_cm_excess"},
+    {{"y", KeyForm::expression, "field or expression", "eps_eff; vibrated: h_cm_excess"},
      [](const Entry& entry, PlotSpec& plot) { plot.y = as_expression<Formula>(entry); }},
-    {{"x_label", Form::text, "label of the axis", "made from x"},
+    {{"x_label", KeyForm::text, "label of the axis", "made from x"},
      [](const Entry& entry, PlotSpec& plot) { plot.x_label = as_string(entry); }},
-    {{"y_label", Form::text, "label of the axis", "made from y"},
+    {{"y_label", KeyForm::text, "label of the axis", "made from y"},
      [](const Entry& entry, PlotSpec& plot) { plot.y_label = as_string(entry); }},
-    {{"x_scale", Form::choice, "scale of the axis", "log; vibrated: linear", scales},
+    {{"x_scale", KeyForm::choice, "scale of the axis", "log; vibrated: linear", scales},
      [](const Entry& entry, PlotSpec& plot) { plot.x_log = as_one_of(entry, scales) == 1; }},
-    {{"y_scale", Form::choice, "scale of the axis", "linear", scales},
+    {{"y_scale", KeyForm::choice, "scale of the axis", "linear", scales},
      [](const Entry& entry, PlotSpec& plot) { plot.y_log = as_one_of(entry, scales) == 1; }},
-    {{"series", Form::fields, "fields: a curve for each combination of their values", "one curve"},
+    {{"series", KeyForm::fields, "fields: a curve for each combination of their values", "one curve"},
      [](const Entry& entry, PlotSpec& plot) { plot.series = as_fields(entry); }},
-    {{"title", Form::text, "above the picture", "the spec's"},
+    {{"title", KeyForm::text, "above the picture", "the spec's"},
      [](const Entry& entry, PlotSpec& plot) { plot.title = as_string(entry); }},
-    {{"where", Form::condition, "condition on the rows that are drawn", "all rows"},
+    {{"where", KeyForm::condition, "condition on the rows that are drawn", "all rows"},
      [](const Entry& entry, PlotSpec& plot) { plot.where = as_expression<Where>(entry); }},
-    {{"mean_over", Form::fields, "rows that differ in these fields only are averaged", "none"},
+    {{"mean_over", KeyForm::fields, "rows that differ in these fields only are averaged", "none"},
      [](const Entry& entry, PlotSpec& plot) { plot.mean_over = as_fields(entry); }},
-    {{"lines", Form::truth, "whether the points of a curve are joined", "false"},
+    {{"lines", KeyForm::truth, "whether the points of a curve are joined", "false"},
      [](const Entry& entry, PlotSpec& plot) { plot.lines = as_truth(entry); }},
     {{.name = "fit",
-      .form = Form::table,
+      .form = KeyForm::table,
       .meaning = "a line fitted to each curve by least squares",
       .usual = "none",
       .keys = [] { return infos_of(fit_keys); }},
      [](const Entry& entry, PlotSpec& plot) { plot.fit = read_fit(entry); }},
     {{.name = "guides",
-      .form = Form::tables,
+      .form = KeyForm::tables,
       .meaning = "dashed lines to compare with",
       .usual = "none",
       .keys = [] { return infos_of(guide_keys); }},
      [](const Entry& entry, PlotSpec& plot) { plot.guides = read_guides(entry); }},
-    {{"y_error", Form::expression, "field or expression of error bars", "h_cm_error of h_cm and h_cm_excess"},
+    {{"y_error", KeyForm::expression, "field or expression of error bars", "h_cm_error of h_cm and h_cm_excess"},
      [](const Entry& entry, PlotSpec& plot) { plot.y_error = as_expression<Formula>(entry); }},
 });
 

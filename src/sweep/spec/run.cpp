@@ -8,9 +8,9 @@ namespace {
 constexpr std::array<std::string_view, 3> managers{"auto", "computes", "dedicated"};
 
 constexpr auto keys = std::to_array<Key<RunSpec>>({
-    {{"manager", Form::choice, "whether the manager rank also computes", "auto", managers},
+    {{"manager", KeyForm::choice, "whether the manager rank also computes", "auto", managers},
      [](const Entry& entry, RunSpec& run) { run.manager = static_cast<ManagerRole>(as_one_of(entry, managers)); }},
-    {{"tuple_time_limit", Form::number, "CPU time after which a tuple is given up, s",
+    {{"tuple_time_limit", KeyForm::number, "CPU time after which a tuple is given up, s",
       "100 times the predicted time, at least 60"},
      [](const Entry& entry, RunSpec& run) {
        run.tuple_time_limit = as_number(entry);

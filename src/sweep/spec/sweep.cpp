@@ -11,9 +11,9 @@
 #include "sweep/calibration_cache.hpp"
 #include "sweep/expression/where.hpp"
 #include "sweep/spec/check.hpp"
-#include "sweep/spec/mistakes.hpp"
 #include "sweep/spec/representatives.hpp"
 #include "sweep/spec/values.hpp"
+#include "sweep/toml/mistakes.hpp"
 
 namespace sigmasweep::spec {
 namespace {
@@ -28,8 +28,8 @@ constexpr std::uint64_t max_filtered_slowly = std::uint64_t{1} << 17;
 
 /// Keys of [sweep] that are not parameters.
 constexpr auto other_keys = std::to_array<KeyInfo>({
-    {"zip", Form::groups, "groups of axes that advance together", "all axes multiply"},
-    {"where", Form::condition, "condition on the parameters of the tuples that are computed", "all tuples"},
+    {"zip", KeyForm::groups, "groups of axes that advance together", "all axes multiply"},
+    {"where", KeyForm::condition, "condition on the parameters of the tuples that are computed", "all tuples"},
 });
 
 void require_known(const Entry& key) {

@@ -64,12 +64,12 @@ struct Contents {
 };
 
 constexpr auto keys = std::to_array<Key<Contents>>({
-    {{"samples", Form::whole_number, "number of samples, evenly spaced in time, both ends included", "1001"},
+    {{"samples", KeyForm::whole_number, "number of samples, evenly spaced in time, both ends included", "1001"},
      [](const Entry& entry, Contents& table) { table.spec.samples = as_count(entry, 2, max_samples); }},
-    {{"duration", Form::number, "time from the start, s",
+    {{"duration", KeyForm::number, "time from the start, s",
       "1.5 times the time to the last contact with the wall; on a plate 10 periods"},
      [](const Entry& entry, Contents& table) { table.spec.duration = as_duration(entry); }},
-    {{"where", Form::condition, "condition on the parameters of the rows that are recorded", "all rows"},
+    {{"where", KeyForm::condition, "condition on the parameters of the rows that are recorded", "all rows"},
      [](const Entry& entry, Contents& table) { as_condition(*(table.where = entry)); }},
 });
 

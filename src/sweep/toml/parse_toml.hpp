@@ -5,7 +5,7 @@
 
 #include <toml++/toml.h>
 
-#include "sweep/spec/mistakes.hpp"
+#include "sweep/toml/mistakes.hpp"
 
 namespace sigmasweep::spec {
 

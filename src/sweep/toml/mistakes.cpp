@@ -1,4 +1,4 @@
-#include "sweep/spec/mistakes.hpp"
+#include "sweep/toml/mistakes.hpp"
 
 #include <algorithm>
 #include <sstream>
