@@ -85,6 +85,25 @@ class TableCommands(unittest.TestCase):
         self.assertEqual((wrong.returncode, wrong.stdout), (64, ""))
         self.assertIn("sigma", wrong.stderr)
 
+    def test_show_fields_in_an_order(self):
+        rows = json.loads(self.ok("show", "table.h5", "--json", "--fields", "sigma,eps_eff,run_time", "--sort", "-eps_eff",
+                                  "--limit", 10))
+        self.assertEqual((rows["matching"], len(rows["results"])), (16, 10))
+        shown = [row["eps_eff"] for row in rows["results"]]
+        known = sorted((value for value in self.table["eps_eff"] if value == value), reverse=True)
+        self.assertEqual(shown, known + [None] * 2)  # rows without a result come last
+        self.assertNotIn("epsilon", rows["results"][0])
+        lines = self.ok("show", "table.h5", "--fields", "N,sigma", "--sort", "sigma").splitlines()
+        self.assertEqual(lines[3].split(), ["row", "N", "sigma"])
+        self.assertEqual([line.split()[2] for line in lines[5:]], sorted([line.split()[2] for line in lines[5:]], key=float))
+        for options in (["--fields", "sigm"], ["--sort", "-eps_ef"]):
+            wrong = self.sigmasweep("show", "table.h5", *options)
+            self.assertEqual((wrong.returncode, wrong.stdout), (64, ""))
+            self.assertRegex(wrong.stderr, "sigma|eps_eff")
+
+    def test_show_spec(self):
+        self.assertEqual(self.ok("show", "table.h5", "--spec"), SPEC)
+
     def test_show_text(self):
         shown = self.ok("show", "table.h5", "--limit", 3)
         for words in (TITLE, "16 rows (ok 8, unstable 8)", "eps_eff", "... 13 more"):

@@ -47,9 +47,9 @@ struct CompletionOptions {
   std::string shell;
 };
 
-/// Words to choose from as the value of an option: its choices, or the names of fields in a condition.
+/// Words to choose from as the value of an option: its choices, or the names of fields.
 std::vector<std::string> words_of(const ListedOption& option) {
-  if (option.type_name != "CONDITION") return option.choices;
+  if (option.type_name != "CONDITION" && !option.type_name.starts_with("FIELD")) return option.choices;
   const auto names = field_names();
   return {names.begin(), names.end()};
 }

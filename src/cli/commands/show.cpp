@@ -1,9 +1,13 @@
 #include <fmt/format.h>
+#include <unistd.h>
 #include <algorithm>
+#include <cmath>
 
 #include "base/printable.hpp"
+#include "base/spelling.hpp"
 #include "cli/command.hpp"
 #include "cli/read_sweep.hpp"
+#include "sigmasweep/base/errors.hpp"
 #include "store/rows/json.hpp"
 #include "store/stored/stored_sweep.hpp"
 #include "sweep/expression/where.hpp"
@@ -13,7 +17,9 @@ namespace {
 
 struct ShowOptions {
   std::string table, where;
-  bool failed = false, json = false;
+  std::vector<std::string> fields;  ///< empty: all columns
+  std::string sort;                 ///< a field, after '-' from the largest value down; empty: the order of the rows
+  bool failed = false, json = false, spec = false;
   std::optional<std::uint64_t> limit;  ///< number of rows shown; 0: all; not given: default_limit, with json all
   static constexpr std::uint64_t default_limit = 40;
 };
@@ -95,18 +101,51 @@ void print_json(const StoredSweep& stored, const ShowOptions& options, const std
   fmt::print("{}\n", document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
+/// The field of this name. Throws UsageError with the nearest known name.
+const Field& field_named(const std::string& name) {
+  if (const Field* field = find_field(name)) return *field;
+  throw UsageError(fmt::format("'{}' is no field of a row{}", name, hint(name, field_names())));
+}
+
+std::vector<Field> chosen(const std::vector<std::string>& names) {
+  std::vector<Field> fields;
+  for (const std::string& name : names) fields.push_back(field_named(name));
+  return fields;
+}
+
+/// Sorts rows by a field; rows without a value come last. Rows of equal values keep their order.
+void sort_by(const std::string& order, std::vector<const Row*>& rows) {
+  const bool falling = order.starts_with('-');
+  const Field& field = field_named(falling ? order.substr(1) : order);
+  std::ranges::stable_sort(rows, [&](const Row* a, const Row* b) {
+    const double x = number(field, *a), y = number(field, *b);
+    if (std::isnan(x) || std::isnan(y)) return !std::isnan(x) && std::isnan(y);
+    return falling ? x > y : x < y;
+  });
+}
+
 int show(const ShowOptions& options) {
   const std::vector<Field> fields = all_fields();
   std::optional<Where> where;
   if (!options.where.empty()) where.emplace(options.where, fields);
-  const StoredSweep stored = read_sweep(options.table);
+  const std::vector<Field> wanted = chosen(options.fields);
+  if (!options.sort.empty()) field_named(options.sort.substr(options.sort.starts_with('-')));
+  StoredSweep stored = read_sweep(options.table);
+  if (options.spec) {
+    const std::string& text = stored.table.info.spec_text;
+    fmt::print("{}", ::isatty(STDOUT_FILENO) != 0 ? printable(text) : text);
+    return 0;
+  }
+  if (!wanted.empty()) stored.table.columns = wanted;
   const std::uint64_t limit = options.limit.value_or(options.json ? 0 : ShowOptions::default_limit);
   std::vector<const Row*> rows;
-  std::size_t matching = 0;
   for (const Row& row : stored.table.rows) {
     if ((options.failed && is_success(row.result.status)) || (where && !(*where)(row))) continue;
-    if (++matching <= limit || limit == 0) rows.push_back(&row);
+    rows.push_back(&row);
   }
+  const std::size_t matching = rows.size();
+  if (!options.sort.empty()) sort_by(options.sort, rows);
+  if (limit != 0 && rows.size() > limit) rows.resize(limit);
   if (options.json)
     print_json(stored, options, rows, matching);
   else
@@ -117,6 +156,10 @@ int show(const ShowOptions& options) {
 void declare(OptionSet& set, ShowOptions& options) {
   set.add({"table", "A table that 'run' wrote, or will write", "TABLE.h5"}, options.table);
   set.add({"--where", "Only rows that satisfy this condition, written as in a spec", "CONDITION"}, options.where);
+  set.add({"--fields", "Columns: parameters, results or timings", "FIELD,FIELD..."}, options.fields,
+          Several::comma_separated);
+  set.add({"--sort", "Order by this field; -FIELD: from the largest value down", "FIELD"}, options.sort);
+  set.add_flag("--spec", "The spec that the table was made from", options.spec);
   set.add_flag("--failed", "Only failed rows, each with the command that repeats it", options.failed);
   set.add(
       {"--limit",
