@@ -13,17 +13,17 @@ constexpr auto between_questions = std::chrono::milliseconds(20);
 }  // namespace
 
 ComputeBudget::ComputeBudget(double limit, std::function<bool()> stop)
-    : left_(work_between_looks),
-      limit_(limit),
-      cpu_start_(thread_seconds()),
-      start_(Clock::now()),
-      next_question_(start_ + between_questions),
-      stop_(std::move(stop)) {}
+    : left_(work_between_looks), limit_(limit), cpu_start_(0.0), stop_(std::move(stop)) {}
 
 bool ComputeBudget::look() {
   if (was_over()) return true;
   left_ = work_between_looks;
   const auto now = Clock::now();
+  if (start_ == Clock::time_point{}) {  // most tuples are finished before, and need no clock
+    start_ = now;
+    next_question_ = now + between_questions;
+    cpu_start_ = thread_seconds();
+  }
   // CPU time is never ahead of the wall clock, which costs less to read.
   if (std::chrono::duration<double>(now - start_).count() >= limit_ && thread_seconds() - cpu_start_ >= limit_)
     why_ = Why::time;

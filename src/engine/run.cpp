@@ -25,7 +25,7 @@ int run_phases(const World& world, const RunOptions& options, const Reporter& re
   if (!finished) {
     NotedRun noted(world, open, reporter);
     LastResort::prepare_by([table = open.table] { return give_up_without_manager(table); });
-    computed = compute_rows(world, open, noted.notes(), deadline, stop, reporter);
+    computed = compute_rows(world, open, noted, deadline, stop, reporter);
     finished = computed.is_complete;
     if (finished) write_rows(world, open);
   }

@@ -27,8 +27,9 @@ struct Solver {
   double (*predicted_seconds)(const Parameters&);
   /// Duration of a film of the run with this result, s: see show_time().
   double (*film_duration)(const Parameters&, const SimulationResult&);
-  /// Results of several tuples that the solver solves, one for each, the same bits as run(). None: run() is called for
-  /// one tuple after the other.
+  /// Results of several tuples that the solver solves, one for each, the same bits as run(). A tuple that takes long is
+  /// left with Status::not_run, and run() is called for it, with its budget. None: run() is called for one tuple after
+  /// the other.
   void (*run_many)(std::span<const Parameters>, std::span<SimulationResult>) = nullptr;
 
   bool solves(const Parameters& p) const {

@@ -4,45 +4,36 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <stdexcept>
+#include <utility>
 
 namespace sigmasweep {
 
-Schedule::Schedule(std::vector<std::uint64_t> rows, std::vector<double> predicted_seconds, int ranks,
-                   double min_chunk_seconds, double max_chunk_seconds)
-    : ranks_(ranks), min_chunk_(min_chunk_seconds), max_chunk_(std::max(min_chunk_seconds, max_chunk_seconds)) {
-  if (rows.size() != predicted_seconds.size()) throw std::invalid_argument("Schedule: one prediction a row is needed");
+Schedule::Schedule(std::vector<ScheduledTask> tasks, int ranks, double min_chunk_seconds, double max_chunk_seconds)
+    : tasks_(std::move(tasks)),
+      ranks_(ranks),
+      min_chunk_(min_chunk_seconds),
+      max_chunk_(std::max(min_chunk_seconds, max_chunk_seconds)) {
   if (ranks < 1) throw std::invalid_argument("Schedule: at least one rank is needed");
-  for (const double seconds : predicted_seconds)
-    if (!(seconds > 0.0 && std::isfinite(seconds)))
+  for (const ScheduledTask& task : tasks_)
+    if (!(task.predicted_seconds > 0.0 && std::isfinite(task.predicted_seconds)))
       throw std::invalid_argument("Schedule: a prediction must be a finite number > 0");
-
-  std::vector<std::size_t> order(rows.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return predicted_seconds[a] != predicted_seconds[b] ? predicted_seconds[a] > predicted_seconds[b]
-                                                        : rows[a] < rows[b];
+  std::ranges::sort(tasks_, [](const ScheduledTask& a, const ScheduledTask& b) {
+    return a.predicted_seconds != b.predicted_seconds ? a.predicted_seconds > b.predicted_seconds : a.row < b.row;
   });
-  rows_.reserve(order.size());
-  seconds_.reserve(order.size());
-  for (const std::size_t i : order) {
-    rows_.push_back(rows[i]);
-    seconds_.push_back(predicted_seconds[i]);
-    total_ += predicted_seconds[i];
-  }
-  longest_ = seconds_.empty() ? 0.0 : seconds_.front();
+  for (const ScheduledTask& task : tasks_) total_ += task.predicted_seconds;
+  longest_ = tasks_.empty() ? 0.0 : tasks_.front().predicted_seconds;
   left_ = total_;
-  to_do_ = {0, rows_.size()};
+  to_do_ = {0, tasks_.size()};
 }
 
 std::size_t Schedule::chunk_end(Range rows, double& left, double max_seconds) const {
   const double target = std::min(std::clamp(left / (2.0 * ranks_), min_chunk_, max_chunk_), max_seconds);
   double chunk = 0.0;
   std::size_t end = rows.first;
-  do chunk += seconds_[end++];
-  while (end < rows.end && chunk + seconds_[end] <= target);
+  do chunk += tasks_[end++].predicted_seconds;
+  while (end < rows.end && chunk + tasks_[end].predicted_seconds <= target);
   left = std::max(0.0, left - chunk);
   return end;
 }
@@ -57,14 +48,14 @@ void Schedule::pass_over(Range rows) {
 
 Schedule::Chunk Schedule::next(double max_seconds) {
   for (std::size_t ranges = passed_over_.size() + 1; ranges > 0; --ranges) {
-    const auto longer = std::partition_point(seconds_.begin() + static_cast<std::ptrdiff_t>(to_do_.first),
-                                             seconds_.begin() + static_cast<std::ptrdiff_t>(to_do_.end),
-                                             [&](double seconds) { return seconds > max_seconds; });
-    const auto first = static_cast<std::size_t>(longer - seconds_.begin());
+    const auto left = Chunk(tasks_).first(to_do_.end).subspan(to_do_.first);
+    const auto longer = std::ranges::partition_point(
+        left, [&](const ScheduledTask& task) { return task.predicted_seconds > max_seconds; });
+    const std::size_t first = to_do_.first + static_cast<std::size_t>(longer - left.begin());
     pass_over({to_do_.first, first});
     if (first < to_do_.end) {
       to_do_.first = chunk_end({first, to_do_.end}, left_, max_seconds);
-      return Chunk{rows_, seconds_}.from(first).first(to_do_.first - first);
+      return Chunk(tasks_).subspan(first, to_do_.first - first);
     }
     to_do_ = {};
     if (passed_over_.empty()) break;
@@ -80,8 +71,8 @@ Schedule::Chunk Schedule::shortest() {
     if (range.first < range.end && (last->first == last->end || range.end > last->end)) last = &range;
   if (last->first == last->end) return {};
   --last->end;
-  left_ = std::max(0.0, left_ - seconds_[last->end]);
-  return Chunk{rows_, seconds_}.from(last->end).first(1);
+  left_ = std::max(0.0, left_ - tasks_[last->end].predicted_seconds);
+  return Chunk(tasks_).subspan(last->end, 1);
 }
 
 double Schedule::total_seconds() const { return total_; }
@@ -92,11 +83,10 @@ double Schedule::predicted_makespan() const {
   using Times = std::vector<double>;
   std::priority_queue<double, Times, std::greater<>> free_at(std::greater<>{}, Times(static_cast<std::size_t>(ranks_)));
   double left = total_, last = 0.0;
-  for (std::size_t first = 0; first < rows_.size();) {
-    const std::size_t end = chunk_end({first, rows_.size()}, left, std::numeric_limits<double>::infinity());
-    const auto chunk = seconds_.begin();
-    const double done = std::accumulate(chunk + static_cast<std::ptrdiff_t>(first),
-                                        chunk + static_cast<std::ptrdiff_t>(end), free_at.top());
+  for (std::size_t first = 0; first < tasks_.size();) {
+    const std::size_t end = chunk_end({first, tasks_.size()}, left, std::numeric_limits<double>::infinity());
+    double done = free_at.top();
+    for (const ScheduledTask& task : Chunk(tasks_).subspan(first, end - first)) done += task.predicted_seconds;
     free_at.pop();
     free_at.push(done);
     last = std::max(last, done);

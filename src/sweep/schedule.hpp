@@ -8,6 +8,13 @@
 
 namespace sigmasweep {
 
+/// A row to be computed, with its predicted time, s.
+struct ScheduledTask {
+  std::uint64_t row = 0;
+  double predicted_seconds = 0.0;
+  bool operator==(const ScheduledTask&) const = default;
+};
+
 /// The order in which rows are given to ranks: rows with the largest predicted time first (ties by row), in chunks that
 /// shrink towards the end (guided self-scheduling, Polychronopoulos & Kuck 1987, by time instead of counts). A chunk
 /// takes 1/(2 ranks) of the remaining time. It takes at least `min_chunk_seconds`, so that messages are few, and at
@@ -15,21 +22,12 @@ namespace sigmasweep {
 /// own.
 class Schedule {
  public:
-  /// `predicted_seconds[i]` > 0 is the prediction for `rows[i]`. Throws std::invalid_argument if the lengths differ,
-  /// ranks < 1, or a prediction is not a finite number > 0.
-  Schedule(std::vector<std::uint64_t> rows, std::vector<double> predicted_seconds, int ranks,
-           double min_chunk_seconds = 1e-3, double max_chunk_seconds = 0.25);
-  /// A range of rows with their predictions, s. It is valid as long as the Schedule.
-  struct Chunk {
-    std::span<const std::uint64_t> rows;
-    std::span<const double> predicted_seconds;
-    std::size_t size() const { return rows.size(); }
-    bool empty() const { return rows.empty(); }
-    auto begin() const { return rows.begin(); }
-    auto end() const { return rows.end(); }
-    Chunk first(std::size_t count) const { return {rows.first(count), predicted_seconds.first(count)}; }
-    Chunk from(std::size_t row) const { return {rows.subspan(row), predicted_seconds.subspan(row)}; }
-  };
+  /// Each row once, with a prediction > 0. Throws std::invalid_argument if ranks < 1, or a prediction is not a finite
+  /// number > 0.
+  Schedule(std::vector<ScheduledTask> tasks, int ranks, double min_chunk_seconds = 1e-3,
+           double max_chunk_seconds = 0.25);
+  /// A range of tasks. It is valid as long as the Schedule.
+  using Chunk = std::span<const ScheduledTask>;
   /// The next chunk of rows that are predicted to take at most `max_seconds`; empty if there is none. Longer rows are
   /// passed over, and tried again after the others.
   Chunk next(double max_seconds = std::numeric_limits<double>::infinity());
@@ -51,10 +49,9 @@ class Schedule {
   std::size_t chunk_end(Range rows, double& left, double max_seconds) const;
   void pass_over(Range rows);
 
-  std::vector<std::uint64_t> rows_;  ///< the longest first
-  std::vector<double> seconds_;      ///< predictions for rows_
-  Range to_do_{0, 0};                ///< the rows for the next chunks
-  std::vector<Range> passed_over_;   ///< the rows after these
+  std::vector<ScheduledTask> tasks_;  ///< the longest first
+  Range to_do_{0, 0};                 ///< the tasks for the next chunks
+  std::vector<Range> passed_over_;    ///< the tasks after these
   int ranks_;
   double min_chunk_, max_chunk_, total_ = 0.0, longest_ = 0.0, left_ = 0.0;
 };

@@ -171,7 +171,7 @@ TEST_F(Run, GoesOnWithTheRowsOfTheJournal) {
       Row done{.index = row, .parameters = sweep.at(row), .result = {}, .timing = {}};
       done.result.status = Status::ok;
       done.result.eps_eff = 0.125;
-      ledger.enter(done);
+      ledger.enter({&done, 1});
     }
   }
   wait_for_all();
@@ -226,7 +226,7 @@ TEST_F(Run, HasPhasesThatAreValues) {
 
   std::optional<NotedRun> noted(std::in_place, world(), open, report);
   EXPECT_TRUE(fs::exists(path("table.h5.running")));
-  const Computed computed = compute_rows(world(), open, noted->notes(), deadline, stop, report);
+  const Computed computed = compute_rows(world(), open, *noted, deadline, stop, report);
   EXPECT_TRUE(computed.is_complete);
   EXPECT_EQ(computed.work.rows, world().is_manager() ? 6u : 0u);
   EXPECT_EQ(open.manager_rows().size(), world().is_manager() ? 6u : 0u);

@@ -134,14 +134,19 @@ class Sweep:
 
     def in_flight(self):
         """The run's number, and rank by row that is being computed, from table.h5.running: pages, the first for the run,
-        the others for a rank each, which begins with its row + 1."""
+        the others for a rank each, which begins with its row + 1, or that of a batch; the batch stands at 152."""
         try:
             data = (self.path / "table.h5.running").read_bytes()
         except FileNotFoundError:
             return None, {}
         run, ranks, page = struct.unpack_from("<3Q", data, 24)
-        slots = [struct.unpack_from("<Q", data, page * (1 + rank))[0] for rank in range(ranks)]
-        return run, {slot - 1: rank for rank, slot in enumerate(slots) if slot}
+        rows = {}
+        for rank in range(ranks):
+            row_plus_1, = struct.unpack_from("<Q", data, page * (1 + rank))
+            batch, *others = struct.unpack_from("<257Q", data, page * (1 + rank) + 152)
+            if row_plus_1:
+                rows |= dict.fromkeys(others[:batch] if batch else [row_plus_1 - 1], rank)
+        return run, rows
 
     def finish_keeping_rows(self):
         """Runs again to the end. Rows of the journal must not be computed again; returns them."""

@@ -11,7 +11,7 @@ from sweep_process import Sweep, failing, spec
 
 ALL = os.environ.get("WRITE_ERRORS") == "all"
 QUICK = spec(steps=20).replace("count = 15", "count = 3")  # 72 rows
-MOST = 200  # largest number of calls of a kind; rows are written one by one
+MOST = 200  # largest number of calls of a kind
 AT_ONCE, BATCH = 3, 12  # a run mostly waits for MPI to begin and end
 
 
@@ -53,12 +53,12 @@ class WriteErrors(unittest.TestCase):
         return came
 
     def test_writes(self):
-        for path, samples in ((".journal", [1, 2, 50, 73]), (".part", [1, 5])):
+        for path, samples in ((".journal", [1, 2, 3, 4]), (".part", [1, 5])):
             self.assertGreater(self.sweep_over(0, samples, call="write", path=path, number=errno.ENOSPC), 0)
 
     def test_disk_stays_full(self):
         for ranks in (0, 2):
-            self.assertTrue(self.check(ranks, call="write", at=40, number=errno.ENOSPC, path=".journal", on=True))
+            self.assertTrue(self.check(ranks, call="write", at=3, number=errno.ENOSPC, path=".journal", on=True))
             self.assertTrue(self.check(ranks, call="write", at=2, number=errno.ENOSPC, path="table.h5.part", on=True))
 
     def test_another_rank_cannot_write(self):

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "sigmasweep/base/errors.hpp"
 #include "store/run_notes/contents.hpp"
@@ -106,6 +107,18 @@ TEST_F(RunNotesTest, AKilledRunIsSeenAtOnceOnItsMachine) {
   EXPECT_FALSE(state->is_running);
   EXPECT_EQ(state->ranks.at(0).row, 42u);
   waitpid(rank, nullptr, 0);
+}
+
+TEST_F(RunNotesTest, AllRowsOfABatchAreSuspectedUntilOneIsAlone) {
+  begin_run_notes(table, identity, 1, false);
+  kill_it(start_rank(0, [](RunNotes& notes) { notes.begin(std::vector<std::uint64_t>{4, 9, 6}); }));
+  EXPECT_EQ(look_at_run(table).value().ranks.at(0).row, 4u);
+  EXPECT_EQ(begin_run_notes(table, identity, 1, false), (SuspicionByRow{{4, 1}, {6, 1}, {9, 1}}));
+  kill_it(start_rank(0, [](RunNotes& notes) {
+    notes.begin(std::vector<std::uint64_t>{1, 2, 3});
+    notes.begin(9);
+  }));
+  EXPECT_EQ(begin_run_notes(table, identity, 1, false), (SuspicionByRow{{4, 1}, {6, 1}, {9, 3}}));
 }
 
 TEST_F(RunNotesTest, HeartbeatsTellOfARunOnAnotherMachine) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <set>
+#include <span>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -14,26 +14,33 @@ using namespace sigmasweep;
 
 namespace {
 
-struct Rows {
-  std::vector<std::uint64_t> index;
-  std::vector<double> seconds;
-};
+using Tasks = std::vector<ScheduledTask>;
 
 /// Costs over five decades.
-Rows random_rows(std::size_t count, std::uint32_t seed) {
+Tasks random_tasks(std::size_t count, std::uint32_t seed) {
   std::mt19937_64 generator(seed);
-  Rows rows;
-  for (std::size_t i = 0; i < count; ++i) {
-    rows.index.push_back(3 * i + 1);
-    rows.seconds.push_back(std::pow(10.0, -5.0 + 5.0 * static_cast<double>(generator() >> 11) * 0x1p-53));
-  }
+  Tasks tasks;
+  for (std::size_t i = 0; i < count; ++i)
+    tasks.push_back({3 * i + 1, std::pow(10.0, -5.0 + 5.0 * static_cast<double>(generator() >> 11) * 0x1p-53)});
+  return tasks;
+}
+
+/// Rows 0, 1, ... with these predictions.
+Tasks tasks_of(const std::vector<double>& seconds) {
+  Tasks tasks;
+  for (const double prediction : seconds) tasks.push_back({tasks.size(), prediction});
+  return tasks;
+}
+
+std::vector<std::uint64_t> rows_of(std::span<const ScheduledTask> tasks) {
+  std::vector<std::uint64_t> rows;
+  for (const ScheduledTask& task : tasks) rows.push_back(task.row);
   return rows;
 }
 
 std::vector<std::vector<std::uint64_t>> chunks(Schedule& schedule) {
   std::vector<std::vector<std::uint64_t>> all;
-  for (auto chunk = schedule.next(); !chunk.empty(); chunk = schedule.next())
-    all.emplace_back(chunk.begin(), chunk.end());
+  for (auto chunk = schedule.next(); !chunk.empty(); chunk = schedule.next()) all.push_back(rows_of(chunk));
   return all;
 }
 
@@ -41,36 +48,34 @@ std::vector<std::vector<std::uint64_t>> chunks(Schedule& schedule) {
 
 TEST(Schedule, HandsOutEachRowOnce) {
   for (const std::size_t count : {0u, 1u, 2u, 1000u, 20000u}) {
-    const Rows rows = random_rows(count, 11);
-    Schedule schedule(rows.index, rows.seconds, 4);
+    const Tasks tasks = random_tasks(count, 11);
+    Schedule schedule(tasks, 4);
     std::multiset<std::uint64_t> seen;
     for (const auto& chunk : chunks(schedule)) seen.insert(chunk.begin(), chunk.end());
-    EXPECT_EQ(seen, std::multiset<std::uint64_t>(rows.index.begin(), rows.index.end()));
+    const auto rows = rows_of(tasks);
+    EXPECT_EQ(seen, std::multiset<std::uint64_t>(rows.begin(), rows.end()));
     EXPECT_TRUE(schedule.next().empty());
   }
 }
 
 TEST(Schedule, LargestFirstTiesByRow) {
-  Schedule schedule({5, 2, 9, 4}, {1.0, 3.0, 1.0, 3.0}, 2);
+  Schedule schedule({{5, 1.0}, {2, 3.0}, {9, 1.0}, {4, 3.0}}, 2);
   EXPECT_EQ(chunks(schedule), (std::vector<std::vector<std::uint64_t>>{{2}, {4}, {5}, {9}}));
 }
 
 TEST(Schedule, DoesNotDependOnTheOrderOfItsInput) {
-  Rows rows = random_rows(500, 12);
-  Schedule one(rows.index, rows.seconds, 3);
-  std::reverse(rows.index.begin(), rows.index.end());
-  std::reverse(rows.seconds.begin(), rows.seconds.end());
-  Schedule other(rows.index, rows.seconds, 3);
+  Tasks tasks = random_tasks(500, 12);
+  Schedule one(tasks, 3);
+  std::ranges::reverse(tasks);
+  Schedule other(tasks, 3);
   EXPECT_EQ(chunks(one), chunks(other));
 }
 
 TEST(Schedule, ChunksKeepTheirLimitsAndShrink) {
   const double min_chunk = 2e-3, max_chunk = 0.1;
-  const std::vector<double> seconds(100000, 1e-5);  // 1 s in all
-  std::vector<std::uint64_t> index(seconds.size());
-  std::iota(index.begin(), index.end(), std::uint64_t{0});
-  Schedule schedule(index, seconds, 2, min_chunk, max_chunk);
-  Schedule unlimited(index, seconds, 4, min_chunk, 10.0);
+  const Tasks tasks = tasks_of(std::vector<double>(100000, 1e-5));  // 1 s in all
+  Schedule schedule(tasks, 2, min_chunk, max_chunk);
+  Schedule unlimited(tasks, 4, min_chunk, 10.0);
   EXPECT_NEAR(static_cast<double>(chunks(unlimited).front().size()), 100000 / 8, 1);  // half of a rank's share
   const auto all = chunks(schedule);
   EXPECT_NEAR(static_cast<double>(all.front().size()), 10000, 1);  // max_chunk, below 1 s/(2 ranks)
@@ -85,8 +90,7 @@ TEST(Schedule, ChunksKeepTheirLimitsAndShrink) {
 TEST(Schedule, MakespanLiesBetweenItsBounds) {
   for (const std::uint32_t seed : {1u, 2u, 3u})
     for (const int ranks : {1, 2, 7, 64}) {
-      const Rows rows = random_rows(3000, seed);
-      const Schedule schedule(rows.index, rows.seconds, ranks);
+      const Schedule schedule(random_tasks(3000, seed), ranks);
       const double rounding = 1e-12 * schedule.total_seconds();  // 3000 additions of relative error 1e-16
       EXPECT_GE(schedule.predicted_makespan(), schedule.lower_bound_seconds() - rounding);
       EXPECT_LE(schedule.predicted_makespan(), schedule.total_seconds() + rounding);
@@ -97,35 +101,30 @@ TEST(Schedule, MakespanLiesBetweenItsBounds) {
 }
 
 TEST(Schedule, IsNearlyOptimal) {
-  const Rows rows = random_rows(5000, 4);
-  const Schedule schedule(rows.index, rows.seconds, 8);
+  const Schedule schedule(random_tasks(5000, 4), 8);
   // List scheduling ends at most one chunk after the lower bound; the last chunks are about a millisecond.
   EXPECT_LE(schedule.predicted_makespan(), schedule.lower_bound_seconds() + 3e-3);
 }
 
 TEST(Schedule, KnowsSumAndLongest) {
-  const Schedule schedule({0, 1, 2}, {1.0, 4.0, 1.0}, 3);
+  const Schedule schedule(tasks_of({1.0, 4.0, 1.0}), 3);
   EXPECT_EQ(schedule.total_seconds(), 6.0);
   EXPECT_EQ(schedule.longest_seconds(), 4.0);
   EXPECT_EQ(schedule.lower_bound_seconds(), 4.0);
   EXPECT_EQ(schedule.predicted_makespan(), 4.0);
-  const Schedule empty({}, {}, 3);
+  const Schedule empty({}, 3);
   EXPECT_EQ(empty.predicted_makespan(), 0.0);
 }
 
 TEST(Schedule, RefusesNonsense) {
-  EXPECT_THROW(Schedule({0, 1}, {1.0}, 1), std::invalid_argument);
-  EXPECT_THROW(Schedule({0}, {1.0}, 0), std::invalid_argument);
+  EXPECT_THROW(Schedule({{0, 1.0}}, 0), std::invalid_argument);
   for (const double seconds : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")})
-    EXPECT_THROW(Schedule({0}, {seconds}, 1), std::invalid_argument) << seconds;
+    EXPECT_THROW(Schedule({{0, seconds}}, 1), std::invalid_argument) << seconds;
 }
 
 TEST(Schedule, PassesOverWhatIsTooLong) {
-  Schedule schedule({0, 1, 2, 3}, {8.0, 4.0, 2.0, 1.0}, 1);
-  const auto next = [&](double most) {
-    const auto chunk = schedule.next(most);
-    return std::vector<std::uint64_t>(chunk.begin(), chunk.end());
-  };
+  Schedule schedule(tasks_of({8.0, 4.0, 2.0, 1.0}), 1);
+  const auto next = [&](double most) { return rows_of(schedule.next(most)); };
   using Rows = std::vector<std::uint64_t>;
   EXPECT_EQ(next(0.5), Rows{});
   EXPECT_EQ(next(-1.0), Rows{});
@@ -139,32 +138,32 @@ TEST(Schedule, PassesOverWhatIsTooLong) {
 }
 
 TEST(Schedule, GivesTheShortestRowThatIsLeft) {
-  Schedule schedule({0, 1, 2, 3}, {8.0, 4.0, 2.0, 1.0}, 1);
-  const auto row_of = [](const Schedule::Chunk& chunk) { return std::vector(chunk.begin(), chunk.end()); };
+  Schedule schedule(tasks_of({8.0, 4.0, 2.0, 1.0}), 1);
   using Rows = std::vector<std::uint64_t>;
-  EXPECT_EQ(row_of(schedule.shortest()), Rows{3});
-  EXPECT_EQ(row_of(schedule.next(1.0)), Rows{});  // all are passed over
-  EXPECT_EQ(row_of(schedule.shortest()), Rows{2});
-  EXPECT_EQ(row_of(schedule.next(4.0)), Rows{1});
-  EXPECT_EQ(row_of(schedule.shortest()), Rows{0});
-  EXPECT_EQ(row_of(schedule.shortest()), Rows{});
-  EXPECT_EQ(row_of(schedule.next()), Rows{});
+  EXPECT_EQ(rows_of(schedule.shortest()), Rows{3});
+  EXPECT_EQ(rows_of(schedule.next(1.0)), Rows{});  // all are passed over
+  EXPECT_EQ(rows_of(schedule.shortest()), Rows{2});
+  EXPECT_EQ(rows_of(schedule.next(4.0)), Rows{1});
+  EXPECT_EQ(rows_of(schedule.shortest()), Rows{0});
+  EXPECT_EQ(rows_of(schedule.shortest()), Rows{});
+  EXPECT_EQ(rows_of(schedule.next()), Rows{});
 }
 
 TEST(Schedule, HandsOutEachRowOnceWithinAnyLimits) {
-  const Rows rows = random_rows(5000, 13);
-  Schedule schedule(rows.index, rows.seconds, 4);
+  const Tasks tasks = random_tasks(5000, 13);
+  Schedule schedule(tasks, 4);
   std::mt19937_64 generator(17);
   std::set<std::uint64_t> seen;
-  for (int tries = 0; seen.size() < rows.index.size() && tries < 200000; ++tries) {
+  for (int tries = 0; seen.size() < tasks.size() && tries < 200000; ++tries) {
     const double most = std::pow(10.0, -5.0 + 5.1 * static_cast<double>(generator() >> 11) * 0x1p-53);
     double sum = 0.0;
-    for (const std::uint64_t row : schedule.next(most)) {
-      EXPECT_TRUE(seen.insert(row).second);
-      sum += rows.seconds[(row - 1) / 3];
+    for (const ScheduledTask& task : schedule.next(most)) {
+      EXPECT_TRUE(seen.insert(task.row).second);
+      EXPECT_EQ(task, tasks[(task.row - 1) / 3]);
+      sum += task.predicted_seconds;
     }
     EXPECT_LE(sum, most * (1.0 + 1e-12));  // rounding of the sum
   }
-  EXPECT_EQ(seen.size(), rows.index.size());
+  EXPECT_EQ(seen.size(), tasks.size());
   EXPECT_TRUE(schedule.next().empty());
 }

@@ -6,8 +6,9 @@
 
 namespace sigmasweep {
 
-/// The limit of one simulation: a CPU time of the thread that made the object, or a stop. Solvers check it in their
-/// loops. Each simulation has an object of its own, which one thread uses.
+/// The limit of one simulation: a CPU time of the thread that uses the object, or a stop. Solvers check it in their
+/// loops. Each simulation has an object of its own, which one thread uses. Its time begins with the first look at the
+/// clock.
 class ComputeBudget {
  public:
   /// `limit` is the CPU time, s. `stop` is called about every 20 ms; the solver throws the exceptions of `stop`.
@@ -34,7 +35,7 @@ class ComputeBudget {
   std::uint64_t left_;
   Why why_ = Why::not_yet;
   double limit_, cpu_start_;
-  Clock::time_point start_, next_question_;
+  Clock::time_point start_{}, next_question_{};
   std::function<bool()> stop_;
 };
 

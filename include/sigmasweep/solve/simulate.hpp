@@ -13,8 +13,11 @@ namespace sigmasweep {
 /// parameters that why_invalid() refuses have Status::failed. If `budget` ends, the status is time_limit.
 SimulationResult simulate(const Parameters& parameters, ComputeBudget* budget = nullptr) noexcept;
 
-/// The results of several tuples, each of them simulate(parameters[i]) to the bit. It is faster with solvers that
-/// compute several tuples side by side. Throws std::invalid_argument unless both spans have the same size.
-void simulate_many(std::span<const Parameters> parameters, std::span<SimulationResult> results);
+/// The results of several tuples, each of them simulate(parameters[i], &budgets[i]) to the bit; without budgets there
+/// are no limits. It is faster with solvers that compute several tuples side by side. Where a budget was stopped, that
+/// result means nothing, and results with Status::not_run were not computed any more. Throws std::invalid_argument
+/// unless all spans have the same size.
+void simulate_many(std::span<const Parameters> parameters, std::span<SimulationResult> results,
+                   std::span<ComputeBudget> budgets = {});
 
 }  // namespace sigmasweep

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -11,13 +10,14 @@
 #include "assembly/springs.hpp"
 #include "base/exit_codes.hpp"
 #include "base/text/numbers.hpp"
+#include "base/thread_clock.hpp"
 #include "cli/command.hpp"
-#include "engine/compute_row.hpp"
 #include "engine/report/remarks.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "sigmasweep/solve/cost.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/rows/json.hpp"
 
@@ -124,11 +124,11 @@ std::vector<Field> shown_fields(const Sweep& sweep, const Row& row) {
 
 int one(const OneOptions& options) {
   const Sweep sweep = sweep_of(options);
-  constexpr double no_limit = std::numeric_limits<double>::infinity();
   const Parameters parameters = sweep.at(0);
-  const SweepTask task{.index = 0, .predicted_seconds = predicted_time(parameters), .parameters = parameters};
-  Row row = *compute_row(task, 0, no_limit);
-  row.parameters = with_springs(row.parameters);
+  Row row{.index = 0, .parameters = with_springs(parameters), .result = {}, .timing = {}};
+  const double start = thread_seconds();
+  row.result = simulate(parameters);
+  row.timing = {.run_time = thread_seconds() - start, .predicted_time = predicted_time(parameters), .rank = 0};
   const std::vector<Field> fields = shown_fields(sweep, row);
   const std::vector<double> unequal = diameters(parameters);
   for (const std::string& remark : remarks_on(sweep)) fmt::print(stderr, "sigmasweep: {}\n", remark);

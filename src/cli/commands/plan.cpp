@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "base/printable.hpp"
 #include "cli/command.hpp"
@@ -45,19 +44,19 @@ Plan plan_of(const Sweep& sweep, int ranks) {
         part * (static_cast<double>(k) + (turn - static_cast<double>(static_cast<std::uint64_t>(turn))));
     return std::min(static_cast<std::uint64_t>(place), sweep.size() - 1);
   };
-  std::vector<std::uint64_t> rows(count);
-  std::vector<double> seconds(count);
+  std::vector<ScheduledTask> tasks(count);
+  double sum = 0.0;
   for (std::uint64_t k = 0; k < count; ++k) {
-    rows[k] = row_of(k);
-    seconds[k] = predicted_time(sweep.at(rows[k]));
+    tasks[k] = {row_of(k), predicted_time(sweep.at(row_of(k)))};
+    sum += tasks[k].predicted_seconds;
   }
-  const auto longest = std::max_element(seconds.begin(), seconds.end());
-  plan.longest_seconds = *longest;
-  plan.longest_row = rows[static_cast<std::size_t>(longest - seconds.begin())];
-  plan.core_seconds = part * std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  const ScheduledTask longest = *std::ranges::max_element(tasks, {}, &ScheduledTask::predicted_seconds);
+  plan.longest_seconds = longest.predicted_seconds;
+  plan.longest_row = longest.row;
+  plan.core_seconds = part * sum;
   plan.lower_bound_seconds = std::max(plan.core_seconds / ranks, plan.longest_seconds);
   if (!plan.sampled)
-    plan.makespan_seconds = Schedule(std::move(rows), std::move(seconds), ranks).predicted_makespan();
+    plan.makespan_seconds = Schedule(std::move(tasks), ranks).predicted_makespan();
   else
     plan.makespan_seconds = plan.lower_bound_seconds + plan.longest_seconds * (ranks - 1) / ranks;  // Graham 1969
   return plan;

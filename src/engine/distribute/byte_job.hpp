@@ -27,12 +27,16 @@ struct Patience {
 /// member is for.
 struct ByteJob {
   using Bytes = wire::Bytes;
+  std::size_t task_size = 0;  ///< bytes
   /// Appends the task to a message.
   std::function<void(std::uint64_t index, double predicted_seconds, Bytes& message)> append_task;
-  /// Computes the first task of `tasks` and takes it off; appends its answer. False if the task was dropped.
-  std::function<bool(std::span<const std::byte>& tasks, const std::function<bool()>& should_end, Bytes& answers)>
-      compute_first;
-  /// Hands on each answer of a message that is wanted. `is_wanted` must be asked once for each of them.
+  /// The number of the first of `tasks` that are computed together.
+  std::function<std::size_t(std::span<const std::byte> tasks)> batch_size;
+  /// Computes the first of these tasks, and appends their answers. Returns the number of tasks: at least one unless
+  /// `should_end` says so.
+  std::function<std::size_t(std::span<const std::byte> tasks, const std::function<bool()>& should_end, Bytes& answers)>
+      compute;
+  /// Hands on the answers of a message that are wanted. `is_wanted` must be asked once for each of them.
   std::function<void(std::span<const std::byte> answers, const std::function<bool()>& is_wanted)> finished;
   std::function<bool()> stop;
   std::function<double()> max_seconds;

@@ -8,19 +8,12 @@
 #include "mpi/world_impl.hpp"
 
 namespace sigmasweep {
-namespace {
-
-constexpr std::size_t max_piece_tasks = 1024;  // ~300 kB a message; at 10 us a task still 10 ms of work
-constexpr double prefetch_seconds = 0.05;      // fifty times the manager's longest sleep
-
-}  // namespace
 
 Manager::Manager(const World& world, Schedule& schedule, const ByteJob& job)
     : workers_(world.impl().communicator),
-      schedule_(schedule),
       job_(job),
       worker_(static_cast<std::size_t>(world.size())),
-      out_(world.size()) {
+      dispatcher_(schedule, world.size(), job.max_seconds) {
   if (job.manager_computes || world.size() == 1)
     own_worker_.emplace(job);
   else
@@ -35,9 +28,10 @@ void Manager::run() {
     const bool news = look_for_messages();
     if (look_at_own_worker(news ? Backoff::Duration(0) : backoff.next()) || news) {
       backoff.reset();
-      if (job_.max_seconds) supply_idle();  // more tasks may be short enough, now that more is known of their times
+      supply_idle();  // there may be tasks that were given back, or that are short enough, now that more is known
     }
     sending_.remove_if([](Sending& sending) { return sending.request.test().has_value(); });
+    ask_for_tasks();
     copy_overdue_tasks();
     tell_of_silent_ranks();
   }
@@ -49,7 +43,15 @@ bool Manager::look_for_messages() {
   while (const auto message = workers_.iprobe()) {
     news = true;
     const int rank = message->source();
-    take(rank, message::receive(workers_, *message));
+    const wire::Bytes bytes = message::receive(workers_, *message);
+    if (message->tag() == message::given_back) {
+      std::uint64_t tasks = 0;
+      std::span<const std::byte> number(bytes);
+      wire::take(number, tasks);
+      take_back(rank, tasks);
+      continue;
+    }
+    take(rank, bytes);
     if (message->tag() == message::stop) stop();
     if (message->tag() == message::last_answers) mark_gone(rank);
     supply(rank);
@@ -70,9 +72,10 @@ bool Manager::look_at_own_worker(std::chrono::microseconds wait) {
 }
 
 void Manager::take(int rank, const wire::Bytes& answers) {
+  if (!answers.empty()) dispatcher_.heard_from(rank);
   job_.finished(answers, [&] {
-    if (out_.count(rank) == 0) throw wire::BadMessage();  // an answer to no task
-    return out_.answered(rank);
+    if (dispatcher_.is_idle(rank)) throw wire::BadMessage();  // an answer to no task
+    return dispatcher_.answered(rank);
   });
 }
 
@@ -82,30 +85,42 @@ void Manager::mark_gone(int rank) {
 }
 
 void Manager::supply(int rank) {
-  Worker& worker = worker_[rank];
-  while (!worker.dismissed && wants_chunk(rank)) {
-    const Schedule::Chunk piece = next_piece();
-    if (!piece.empty()) {
-      hand_out(rank, piece);
-      continue;
-    }
-    // A worker that has nothing to do stays: its rank may still be asked to stop the others.
-    if (out_.all_are_back()) dismiss_all();
-    return;
+  if (worker_[rank].dismissed) return;
+  for (auto tasks = dispatcher_.next(rank); !tasks.empty(); tasks = dispatcher_.next(rank)) give(rank, tasks);
+  // A worker that has nothing to do stays: its rank may still be asked to stop the others.
+  if (dispatcher_.is_idle(rank) && dispatcher_.out().all_are_back()) dismiss_all();
+}
+
+void Manager::supply_idle() {
+  for (int rank = 0; rank < workers_.size(); ++rank)
+    if (is_idle(rank)) supply(rank);
+}
+
+/// Asks a rank for tasks for each rank that has nothing to do.
+void Manager::ask_for_tasks() {
+  int idle = 0;
+  for (int rank = 0; rank < workers_.size(); ++rank) idle += is_idle(rank);
+  while (!stopped_ && dispatcher_.asked() < idle) {
+    const auto rank = dispatcher_.next_to_give_back();
+    if (!rank) return;
+    if (*rank == message::manager_rank)
+      take_back(*rank, own_worker_->take_half());
+    else
+      send(*rank, message::give_back, {});
   }
+}
+
+void Manager::take_back(int rank, std::uint64_t tasks) {
+  dispatcher_.given_back(rank, tasks);
+  if (!stopped_) supply_idle();
 }
 
 void Manager::copy_overdue_tasks() {
   for (int rank = 0; rank < workers_.size(); ++rank) {
-    if (worker_[rank].dismissed || out_.count(rank) > 0) continue;  // it has been supplied: there is nothing else
-    std::vector<std::uint64_t> rows;
-    std::vector<double> seconds;
-    for (const TasksOut::Task& task : out_.take_overdue(job_.patience.overdue)) {
-      rows.push_back(task.row);
-      seconds.push_back(task.predicted_seconds);
-    }
-    if (rows.empty()) return;  // nor is there anything for the other idle ranks
-    hand_out(rank, {rows, seconds});
+    if (!is_idle(rank)) continue;  // it has been supplied: there is nothing else
+    const auto tasks = dispatcher_.next_overdue(rank, job_.patience.overdue);
+    if (tasks.empty()) return;  // nor is there anything for the other idle ranks
+    give(rank, tasks);
   }
 }
 
@@ -115,49 +130,16 @@ void Manager::tell_of_silent_ranks() {
   told_of_silent_ranks_ = true;
   std::vector<SilentRank> silent;
   for (int rank = 0; rank < workers_.size(); ++rank)
-    if (!worker_[rank].gone) silent.push_back({rank, out_.first_missing(rank)});
+    if (!worker_[rank].gone) silent.push_back({rank, dispatcher_.out().first_missing(rank)});
   if (!silent.empty()) job_.silent(silent);
 }
 
-void Manager::supply_idle() {
-  for (int rank = 0; rank < workers_.size(); ++rank)
-    if (out_.count(rank) == 0) supply(rank);
-}
-
-bool Manager::wants_chunk(int rank) const {
-  const Worker& worker = worker_[rank];
-  if (out_.count(rank) == 0) return true;
-  return out_.count(rank) <= worker.last_chunk_tasks && worker.last_chunk_seconds < prefetch_seconds;
-}
-
-Schedule::Chunk Manager::next_piece() {
-  if (piece_.empty()) piece_ = next_chunk();
-  const std::size_t tasks = std::min(max_piece_tasks, piece_.size());
-  return std::exchange(piece_, piece_.from(tasks)).first(tasks);
-}
-
-Schedule::Chunk Manager::next_chunk() {
-  if (!job_.max_seconds) return schedule_.next();
-  const double max_seconds = job_.max_seconds();
-  Schedule::Chunk chunk = schedule_.next(max_seconds);
-  if (chunk.empty() && !handed_out_ && max_seconds > 0.0) chunk = schedule_.shortest();
-  handed_out_ = handed_out_ || !chunk.empty();
-  return chunk;
-}
-
-void Manager::hand_out(int rank, const Schedule::Chunk& piece) {
-  wire::Bytes tasks;
-  double seconds = 0.0;
-  for (std::size_t i = 0; i < piece.size(); ++i) {
-    job_.append_task(piece.rows[i], piece.predicted_seconds[i], tasks);
-    seconds += piece.predicted_seconds[i];
-    out_.hand_out(rank, {piece.rows[i], piece.predicted_seconds[i]});
-  }
-  Worker& worker = worker_[rank];
-  worker.last_chunk_tasks = piece.size();
-  worker.last_chunk_seconds = seconds;
-  if (rank == message::manager_rank) return own_worker_->give(std::move(tasks));
-  send(rank, message::chunk, std::move(tasks));
+void Manager::give(int rank, const Dispatcher::Tasks& tasks) {
+  wire::Bytes bytes;
+  bytes.reserve(tasks.size() * job_.task_size);
+  for (const ScheduledTask& task : tasks) job_.append_task(task.row, task.predicted_seconds, bytes);
+  if (rank == message::manager_rank) return own_worker_->give(std::move(bytes));
+  send(rank, message::chunk, std::move(bytes));
 }
 
 void Manager::send(int rank, message::Tag tag, wire::Bytes bytes) {

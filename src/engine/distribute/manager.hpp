@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/distribute/byte_job.hpp"
+#include "engine/distribute/dispatcher.hpp"
 #include "engine/distribute/messages.hpp"
-#include "engine/distribute/tasks_out.hpp"
 #include "engine/distribute/thread_worker.hpp"
 #include "engine/stop/last_resort.hpp"
 #include "mpi/world.hpp"
@@ -18,11 +18,7 @@
 
 namespace sigmasweep {
 
-/// Hands out the tasks of a schedule, largest first, and takes back their answers.
-///
-/// A worker whose chunk is short has the next chunk waiting beside it, so that it never waits for the manager. Behind a
-/// long chunk (prefetch_seconds) nothing waits: compared with it the manager's reply is instant, and a second long
-/// chunk in the same queue would leave the other ranks idle at the end.
+/// Hands out the tasks of a schedule, as a Dispatcher decides, and takes back their answers.
 class Manager {
  public:
   Manager(const World& world, Schedule& schedule, const ByteJob& job);
@@ -31,10 +27,8 @@ class Manager {
 
  private:
   struct Worker {
-    std::uint64_t last_chunk_tasks = 0;
-    double last_chunk_seconds = 0.0;  ///< predicted
-    bool dismissed = false;           ///< was told to quit
-    bool gone = false;                ///< delivered its last answers
+    bool dismissed = false;  ///< was told to quit
+    bool gone = false;       ///< delivered its last answers
   };
   struct Sending {
     wire::Bytes bytes;
@@ -44,32 +38,29 @@ class Manager {
   bool look_for_messages();
   bool look_at_own_worker(std::chrono::microseconds wait);
   void take(int rank, const wire::Bytes& answers);
+  void take_back(int rank, std::uint64_t tasks);
   void mark_gone(int rank);
   void copy_overdue_tasks();
   void tell_of_silent_ranks();
   void supply(int rank);
   void supply_idle();
-  bool wants_chunk(int rank) const;
-  void hand_out(int rank, const Schedule::Chunk& piece);
+  bool is_idle(int rank) const { return !worker_[rank].dismissed && dispatcher_.is_idle(rank); }
+  void ask_for_tasks();
+  void give(int rank, const Dispatcher::Tasks& tasks);
   void send(int rank, message::Tag tag, wire::Bytes bytes);
   void dismiss(int rank);
   void dismiss_all();
   void stop();
-  Schedule::Chunk next_piece();
-  Schedule::Chunk next_chunk();
 
   const boost::mpi::communicator& workers_;
-  Schedule& schedule_;
   const ByteJob& job_;
   std::vector<Worker> worker_;  // by rank
-  TasksOut out_;
+  Dispatcher dispatcher_;
   AwakeTime since_quit_;
   bool told_of_silent_ranks_ = false;
   int left_ = 0;                // workers that are not gone
-  Schedule::Chunk piece_;       // of the schedule's chunk, still to be handed out
   std::list<Sending> sending_;  // until MPI has taken them
   bool stopped_ = false;
-  bool handed_out_ = false;                 // anything at all
   std::optional<ThreadWorker> own_worker_;  // last: its thread ends before the rest goes
 };
 

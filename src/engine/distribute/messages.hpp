@@ -11,11 +11,13 @@
 namespace sigmasweep::message {
 
 enum Tag : int {
-  chunk,        ///< manager to worker: tasks to compute, after those it still has
-  quit,         ///< manager to worker: begin no further task, send the last answers
-  answers,      ///< worker to manager: answers of finished tasks
-  stop,         ///< worker to manager: this rank was asked to stop
-  last_answers  ///< worker to manager: the last answers; nothing follows
+  chunk,         ///< manager to worker: tasks to compute, after those it still has
+  give_back,     ///< manager to worker: give back half of the tasks that are not begun
+  quit,          ///< manager to worker: begin no further task, send the last answers; nothing follows
+  answers,       ///< worker to manager: answers of finished tasks
+  given_back,    ///< worker to manager: so many tasks are given back, the last that it got
+  stop,          ///< worker to manager: this rank was asked to stop
+  last_answers,  ///< worker to manager: the last answers; nothing follows
 };
 
 inline constexpr int manager_rank = 0;

@@ -1,11 +1,11 @@
 #include "engine/distribute/remote_worker.hpp"
 
 #include <boost/mpi/communicator.hpp>
-#include <deque>
 #include <utility>
 
 #include "engine/distribute/backoff.hpp"
 #include "engine/distribute/messages.hpp"
+#include "engine/distribute/task_queue.hpp"
 #include "engine/distribute/worker.hpp"
 #include "mpi/world_impl.hpp"
 
@@ -14,27 +14,26 @@ namespace {
 
 class RemoteConnection : public ManagerConnection {
  public:
-  RemoteConnection(const boost::mpi::communicator& manager, const ByteJob& job) : manager_(manager), job_(job) {}
+  RemoteConnection(const boost::mpi::communicator& manager, const ByteJob& job)
+      : manager_(manager), job_(job), queue_(job.task_size) {}
 
-  Bytes next_chunk() override {
-    for (Backoff backoff; !quit() && chunks_.empty(); backoff.sleep()) continue;
+  Bytes next_batch() override {
+    // Between the batches of a chunk nobody is in a hurry; work() looks for messages every millisecond.
+    if (queue_.empty() || queue_.is_between_chunks())
+      for (Backoff backoff; !quit() && queue_.empty(); backoff.sleep()) continue;
     if (quit_) return {};
-    auto chunk = std::move(chunks_.front());
-    chunks_.pop_front();
-    return chunk;
+    return queue_.take(job_.batch_size(queue_.first_chunk()));
   }
+
+  void put_back(std::span<const std::byte> tasks) override { queue_.put_back(tasks); }
+
+  bool is_between_chunks() override { return queue_.is_between_chunks(); }
 
   bool quit() override {
     while (!quit_) {
       const auto message = manager_.iprobe(message::manager_rank);
       if (!message) break;
-      Bytes tasks = message::receive(manager_, *message);
-      if (message->tag() == message::quit)
-        quit_ = true;
-      else if (message->tag() == message::chunk && !tasks.empty())
-        chunks_.push_back(std::move(tasks));
-      else
-        throw wire::BadMessage();
+      take(*message);
     }
     if (!quit_ && !asked_to_stop_ && job_.stop()) {
       asked_to_stop_ = true;
@@ -53,6 +52,22 @@ class RemoteConnection : public ManagerConnection {
   }
 
  private:
+  void take(const boost::mpi::status& announced) {
+    Bytes tasks = message::receive(manager_, announced);
+    switch (announced.tag()) {
+      case message::chunk: return queue_.add(std::move(tasks));
+      case message::give_back: return give_back();
+      case message::quit: quit_ = true; return;
+      default: throw wire::BadMessage();
+    }
+  }
+
+  void give_back() {
+    Bytes number;
+    wire::append(number, std::uint64_t{queue_.give_half()});
+    send(message::given_back, std::move(number));
+  }
+
   /// Returns at once, so that the next chunk can be computed meanwhile; one message at a time is under way.
   void send(message::Tag tag, Bytes bytes) {
     finish_sending();
@@ -67,7 +82,7 @@ class RemoteConnection : public ManagerConnection {
 
   const boost::mpi::communicator& manager_;
   const ByteJob& job_;
-  std::deque<Bytes> chunks_;
+  TaskQueue queue_;
   Bytes under_way_;
   boost::mpi::request sending_;
   bool quit_ = false, asked_to_stop_ = false;
@@ -77,7 +92,7 @@ class RemoteConnection : public ManagerConnection {
 
 void work_remotely(const World& world, const ByteJob& job) {
   RemoteConnection manager(world.impl().communicator, job);
-  work(manager, job.compute_first);
+  work(manager, job);
 }
 
 }  // namespace sigmasweep

@@ -1,7 +1,10 @@
 #include "engine/distribute/tasks_out.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
+
+#include "engine/distribute/wire.hpp"
 
 namespace sigmasweep {
 
@@ -9,15 +12,38 @@ void TasksOut::hand_out(int rank, const Task& task) {
   Rank& to = rank_[static_cast<std::size_t>(rank)];
   if (to.tasks.empty()) to.since = Clock::now();
   to.tasks.push_back(task);
+  to.seconds += task.predicted_seconds;
+}
+
+double TasksOut::seconds_waiting(int rank) const {
+  const Rank& of = rank_[static_cast<std::size_t>(rank)];
+  return of.tasks.size() < 2 ? 0.0 : of.seconds - of.tasks.front().predicted_seconds;
 }
 
 bool TasksOut::answered(int rank) {
   Rank& from = rank_[static_cast<std::size_t>(rank)];
   const Task task = from.tasks.front();
   from.tasks.pop_front();
-  from.since = Clock::now();
+  from.seconds -= task.predicted_seconds;
   const auto twin = twice_.find(task.row);
   return twin == twice_.end() || !std::exchange(twin->second, true);
+}
+
+std::vector<TasksOut::Task> TasksOut::given_back(int rank, std::uint64_t count) {
+  Rank& from = rank_[static_cast<std::size_t>(rank)];
+  if (count > from.tasks.size()) throw wire::BadMessage();
+  const auto first = from.tasks.end() - static_cast<std::ptrdiff_t>(count);
+  std::vector<Task> alone;
+  for (auto task = first; task != from.tasks.end(); ++task) {
+    from.seconds -= task->predicted_seconds;
+    const auto twin = twice_.find(task->row);
+    if (twin == twice_.end())
+      alone.push_back(*task);
+    else if (!twin->second)
+      twice_.erase(twin);  // the other rank has it alone now
+  }
+  from.tasks.erase(first, from.tasks.end());
+  return alone;
 }
 
 bool TasksOut::is_missing(const Task& task) const {

@@ -4,7 +4,8 @@
 
 namespace sigmasweep {
 
-ThreadWorker::ThreadWorker(const ByteJob& job) : thread_([this, &job] { work(*this, job.compute_first); }) {}
+ThreadWorker::ThreadWorker(const ByteJob& job)
+    : job_(job), queue_(job.task_size), thread_([this] { work(*this, job_); }) {}
 
 ThreadWorker::~ThreadWorker() {
   say_quit();
@@ -13,8 +14,13 @@ ThreadWorker::~ThreadWorker() {
 
 void ThreadWorker::give(Bytes chunk) {
   const std::lock_guard lock(mutex_);
-  chunks_.push_back(std::move(chunk));
+  queue_.add(std::move(chunk));
   to_worker_.notify_one();
+}
+
+std::size_t ThreadWorker::take_half() {
+  const std::lock_guard lock(mutex_);
+  return queue_.give_half();
 }
 
 void ThreadWorker::say_quit() {
@@ -29,13 +35,21 @@ ThreadWorker::Mail ThreadWorker::collect(std::chrono::microseconds wait) {
   return std::exchange(mail_, {});
 }
 
-ThreadWorker::Bytes ThreadWorker::next_chunk() {
+ThreadWorker::Bytes ThreadWorker::next_batch() {
   std::unique_lock lock(mutex_);
-  to_worker_.wait(lock, [this] { return quit_ || !chunks_.empty(); });
+  to_worker_.wait(lock, [this] { return quit_ || !queue_.empty(); });
   if (quit_) return {};
-  auto chunk = std::move(chunks_.front());
-  chunks_.pop_front();
-  return chunk;
+  return queue_.take(job_.batch_size(queue_.first_chunk()));
+}
+
+void ThreadWorker::put_back(std::span<const std::byte> tasks) {
+  const std::lock_guard lock(mutex_);
+  queue_.put_back(tasks);
+}
+
+bool ThreadWorker::is_between_chunks() {
+  const std::lock_guard lock(mutex_);
+  return queue_.is_between_chunks();
 }
 
 bool ThreadWorker::quit() {
@@ -43,15 +57,18 @@ bool ThreadWorker::quit() {
   return quit_;
 }
 
-void ThreadWorker::add_to_mail(const Bytes& answers, bool is_last) {
+void ThreadWorker::add_to_mail(Bytes answers, bool is_last) {
   const std::lock_guard lock(mutex_);
-  mail_.answers.insert(mail_.answers.end(), answers.begin(), answers.end());
+  if (mail_.answers.empty())
+    mail_.answers = std::move(answers);
+  else
+    mail_.answers.insert(mail_.answers.end(), answers.begin(), answers.end());
   mail_.is_last = mail_.is_last || is_last;
   to_manager_.notify_one();
 }
 
-void ThreadWorker::deliver(Bytes answers) { add_to_mail(answers, false); }
+void ThreadWorker::deliver(Bytes answers) { add_to_mail(std::move(answers), false); }
 
-void ThreadWorker::deliver_last(Bytes answers) { add_to_mail(answers, true); }
+void ThreadWorker::deliver_last(Bytes answers) { add_to_mail(std::move(answers), true); }
 
 }  // namespace sigmasweep

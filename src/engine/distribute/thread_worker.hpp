@@ -2,10 +2,10 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <deque>
 #include <mutex>
 #include <thread>
 
+#include "engine/distribute/task_queue.hpp"
 #include "engine/distribute/worker.hpp"
 
 namespace sigmasweep {
@@ -21,6 +21,8 @@ class ThreadWorker final : private ManagerConnection {
   ThreadWorker& operator=(const ThreadWorker&) = delete;
 
   void give(Bytes chunk);
+  /// Takes back half of the tasks that are not begun, the last ones. Returns the number.
+  std::size_t take_half();
   void say_quit();
   /// Answers that were delivered since the last call.
   struct Mail {
@@ -32,15 +34,18 @@ class ThreadWorker final : private ManagerConnection {
   Mail collect(std::chrono::microseconds wait);
 
  private:
-  Bytes next_chunk() override;
+  Bytes next_batch() override;
+  void put_back(std::span<const std::byte> tasks) override;
+  bool is_between_chunks() override;
   bool quit() override;
   void deliver(Bytes answers) override;
   void deliver_last(Bytes answers) override;
-  void add_to_mail(const Bytes& answers, bool is_last);
+  void add_to_mail(Bytes answers, bool is_last);
 
+  const ByteJob& job_;
   std::mutex mutex_;
   std::condition_variable to_worker_, to_manager_;
-  std::deque<Bytes> chunks_;
+  TaskQueue queue_;
   Mail mail_;
   bool quit_ = false;
   std::thread thread_;  // last: it uses all the others

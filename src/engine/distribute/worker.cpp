@@ -13,7 +13,7 @@ constexpr auto grace = std::chrono::milliseconds(500);  // mpirun kills a second
 
 }  // namespace
 
-void work(ManagerConnection& manager, const decltype(ByteJob::compute_first)& compute_first) {
+void work(ManagerConnection& manager, const ByteJob& job) {
   wire::Bytes answers;
   std::optional<Clock::time_point> asked;
   const std::function<bool()> should_end = [&] {
@@ -21,25 +21,24 @@ void work(ManagerConnection& manager, const decltype(ByteJob::compute_first)& co
     return asked && Clock::now() - *asked >= grace;
   };
   auto looked = Clock::now(), delivered = looked;
-  const auto deliver = [&] {
-    manager.deliver(std::exchange(answers, {}));
-    delivered = Clock::now();
-  };
-  bool quit = false;
-  while (!quit) {
-    const wire::Bytes chunk = manager.next_chunk();
-    if (chunk.empty()) break;
-    for (std::span<const std::byte> tasks(chunk); !tasks.empty();) {
-      if ((quit = !compute_first(tasks, should_end, answers))) break;
-      const auto now = Clock::now();
-      if (now - looked < look_every) continue;
-      looked = now;
-      if ((quit = manager.quit())) break;
-      if (now - delivered >= deliver_every) deliver();
+  for (bool quit = false; !quit;) {
+    const wire::Bytes batch = manager.next_batch();
+    if (batch.empty()) break;
+    const std::size_t done = job.compute(batch, should_end, answers) * job.task_size;
+    if (done < batch.size()) {
+      manager.put_back(std::span(batch).subspan(done));
+      if (should_end()) break;
     }
-    if (!quit && !answers.empty()) deliver();
+    const auto now = Clock::now();
+    if (now - looked >= look_every) {
+      looked = now;
+      quit = manager.quit();
+    }
+    if (quit || answers.empty() || !(manager.is_between_chunks() || now - delivered >= deliver_every)) continue;
+    manager.deliver(std::exchange(answers, {}));
+    delivered = now;
   }
-  while (!manager.next_chunk().empty()) continue;  // a task was dropped, and quit is still under way
+  while (!manager.next_batch().empty()) continue;  // a task was dropped, and quit is still under way
   manager.deliver_last(std::move(answers));
 }
 

@@ -172,21 +172,20 @@ void Ledger::keep_or_retry(const Row& row) {
     attempts_[row.index] = row.timing.attempt;
 }
 
-std::vector<std::uint64_t> Ledger::missing() const {
-  std::vector<std::uint64_t> missing;
+void Ledger::for_each_missing(const std::function<void(std::uint64_t row)>& visit) const {
   for (std::uint64_t k = 0; k < have_.size(); ++k)
-    if (!have_[k]) missing.push_back(slice_.row(k));
-  return missing;
+    if (!have_[k]) visit(slice_.row(k));
 }
 
-void Ledger::enter(Row row) {
-  const auto place = slice_.place(row.index);
-  if (!place || *place >= rows_.size())
-    throw std::runtime_error(fmt::format("a rank answered with row {}, which is not of this sweep", row.index));
-  const auto tried = attempts_.find(row.index);
-  row.timing.attempt = tried == attempts_.end() ? 1 : tried->second + 1;
-  journal_.append(row);
-  keep(row);
+void Ledger::enter(std::span<Row> rows) {
+  for (Row& row : rows) {
+    if (const auto place = slice_.place(row.index); !place || *place >= rows_.size())
+      throw std::runtime_error(fmt::format("a rank answered with row {}, which is not of this sweep", row.index));
+    const auto tried = attempts_.empty() ? attempts_.end() : attempts_.find(row.index);
+    row.timing.attempt = tried == attempts_.end() ? 1 : tried->second + 1;
+  }
+  journal_.append(rows);
+  for (const Row& row : rows) keep(row);
 }
 
 bool Ledger::has(std::uint64_t row) const {
@@ -198,7 +197,7 @@ void Ledger::quarantine(const Tuple& tuple) {
   if (!slice_.place(tuple.index)) return;
   Row row{.index = tuple.index, .parameters = tuple.parameters, .result = {}, .timing = {}};
   row.result.status = Status::quarantined;
-  enter(row);
+  enter({&row, 1});
   ++kept_;
 }
 

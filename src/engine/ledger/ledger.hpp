@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,7 +40,8 @@ class Ledger {
   Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options);
 
   bool table_is_complete() const { return table_is_complete_; }
-  std::vector<std::uint64_t> missing() const;
+  std::uint64_t missing() const { return rows_.size() - there_; }
+  void for_each_missing(const std::function<void(std::uint64_t row)>& visit) const;
   std::uint64_t kept() const { return kept_; }  ///< number of rows that were there from the start
   std::uint64_t taken() const {
     return taken_;
@@ -48,15 +51,15 @@ class Ledger {
   bool is_complete() const { return there_ == rows_.size(); }
   const std::vector<Row>& rows() const { return rows_; }  ///< of the slice, in spec order; status not_run where missing
 
-  /// Enters a row that came in: into the journal, then into rows(). Throws IoError, and std::runtime_error for a row of
-  /// another sweep.
-  void enter(Row row);
+  /// Enters rows that came in: into the journal, then into rows(). Sets their attempts. Throws IoError, and
+  /// std::runtime_error for a row of another sweep.
+  void enter(std::span<Row> rows);
   bool has(std::uint64_t row) const;
   /// Enters a row that is not to be computed, as Status::quarantined. Throws IoError.
   void quarantine(const Tuple& tuple);
   void sync() { journal_.sync(); }
-  /// As Journal::sync_if_due().
-  void sync_if_due() { journal_.sync_if_due(); }
+  /// As Journal::check().
+  void check_journal() const { journal_.check(); }
   /// Removes the journal, once the table is written and checked, or if the table was there already.
   void close() { journal_.remove(); }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/duration.hpp"
-#include "engine/compute_row.hpp"
+#include "engine/compute_batch.hpp"
 #include "engine/distribute/distribute.hpp"
 #include "engine/phases/give_up.hpp"
 #include "engine/phases/phase.hpp"
@@ -31,27 +31,33 @@ bool manager_computes(const World& world, const Sweep& sweep) {
 
 /// Predicts the cost of each missing row, once. On the manager.
 Schedule schedule_of(const Ledger& ledger, const Sweep& sweep, int ranks) {
-  auto rows = ledger.missing();
-  std::vector<double> seconds;
-  seconds.reserve(rows.size());
-  for (const std::uint64_t row : rows) seconds.push_back(predicted_time(sweep.at(row)));
-  return Schedule(std::move(rows), std::move(seconds), ranks);
+  std::vector<ScheduledTask> tasks;
+  tasks.reserve(ledger.missing());
+  ledger.for_each_missing([&](std::uint64_t row) { tasks.push_back({row, predicted_time(sweep.at(row))}); });
+  return Schedule(std::move(tasks), ranks);
 }
 
 /// Takes in the rows that come from the workers. On the manager.
 class RowIntake {
  public:
-  RowIntake(Ledger& ledger, Deadline* deadline, Progress progress, RunNotes& notes)
-      : ledger_(ledger), deadline_(deadline), progress_(std::move(progress)), notes_(notes) {}
+  RowIntake(const Sweep& sweep, Ledger& ledger, Deadline* deadline, Progress progress, RunNotes& notes)
+      : sweep_(sweep), ledger_(ledger), deadline_(deadline), progress_(std::move(progress)), notes_(notes) {}
 
   /// Does not throw: what goes wrong with the journal ends the run, and is thrown by finish().
-  void take(const Row& row) {
+  void take(std::span<const SweepAnswer> answers) {
     if (error_) return;
     try {
-      ledger_.enter(row);
-      work_.add(row);
-      if (deadline_) deadline_->learn(row.timing);
-      progress_.add(1, row.timing.predicted_time);
+      std::vector<Row> rows;
+      rows.reserve(answers.size());
+      for (const auto& [index, result, timing] : answers) rows.push_back({index, sweep_.at(index), result, timing});
+      ledger_.enter(rows);
+      double predicted = 0.0;
+      for (const Row& row : rows) {
+        work_.add(row);
+        if (deadline_) deadline_->learn(row.timing);
+        predicted += row.timing.predicted_time;
+      }
+      progress_.add(rows.size(), predicted);
     } catch (...) {
       error_ = std::current_exception();
     }
@@ -62,7 +68,7 @@ class RowIntake {
     progress_.add(0, 0.0);
     notes_.tell(progress_.now());
     try {
-      if (!error_) ledger_.sync_if_due();
+      if (!error_) ledger_.check_journal();
     } catch (...) {
       error_ = std::current_exception();
     }
@@ -78,6 +84,7 @@ class RowIntake {
   const Work& work() const { return work_; }
 
  private:
+  const Sweep& sweep_;
   Ledger& ledger_;
   Deadline* deadline_;
   Progress progress_;
@@ -86,19 +93,18 @@ class RowIntake {
   std::exception_ptr error_;
 };
 
-Job<SweepTask, Row> sweep_job(const World& world, const Sweep& sweep, RunNotes& notes, const StopRequest& stop,
-                              std::optional<RowIntake>& intake) {
-  Job<SweepTask, Row> job;
+using SweepJob = Job<SweepTask, SweepAnswer>;
+
+SweepJob sweep_job(const World& world, const Sweep& sweep, BatchComputer& computer, RunNotes& notes,
+                   const StopRequest& stop, std::optional<RowIntake>& intake) {
+  SweepJob job;
   job.task = [&](std::uint64_t row, double predicted_seconds) {
     return SweepTask{row, predicted_seconds, sweep.at(row)};
   };
-  job.compute = [&, rank = world.rank()](const SweepTask& task, const std::function<bool()>& should_end) {
-    notes.begin(task.index);
-    const auto row = compute_row(task, rank, sweep.tuple_time_limit(), should_end);
-    notes.end();
-    return row;
-  };
-  job.finished = [&](const Row& row) { intake->take(row); };
+  job.batch_size = [&](std::span<const SweepTask> tasks) { return computer.size(tasks); };
+  job.compute_batch = [&](std::span<const SweepTask> batch, const std::function<bool()>& should_end,
+                          std::vector<SweepAnswer>& answers) { computer.compute(batch, should_end, answers); };
+  job.finished = [&](std::span<const SweepAnswer> answers) { intake->take(answers); };
   job.stop = [&] {
     const bool failed = intake && intake->poll();
     if (stop.made()) notes.absolve();
@@ -118,11 +124,13 @@ std::string why_stopped(const StopRequest& stop, const Computed& computed) {
 
 }  // namespace
 
-Computed compute_rows(const World& world, OpenSweep& open, RunNotes& notes, std::optional<Deadline>& deadline,
+Computed compute_rows(const World& world, OpenSweep& open, NotedRun& noted, std::optional<Deadline>& deadline,
                       const StopRequest& stop, const Reporter& reporter) {
+  RunNotes& notes = noted.notes();
+  BatchComputer computer(world.rank(), open.sweep.tuple_time_limit(), noted.suspects(), notes);
   std::optional<Schedule> schedule;
   std::optional<RowIntake> intake;
-  Job<SweepTask, Row> job = sweep_job(world, open.sweep, notes, stop, intake);
+  SweepJob job = sweep_job(world, open.sweep, computer, notes, stop, intake);
   if (deadline) job.max_seconds = [&] { return deadline->max_seconds(); };
   job.silent = [&](const std::vector<SilentRank>& silent) { give_up(silent, open, reporter); };
   on_manager(world, [&] {
@@ -130,7 +138,7 @@ Computed compute_rows(const World& world, OpenSweep& open, RunNotes& notes, std:
     announce(reporter, missing, world.size());
     for (const std::string& remark : remarks_on(open.sweep)) reporter.say(remark);
     schedule.emplace(schedule_of(*open.ledger, open.sweep, job.manager_computes ? world.size() : world.size() - 1));
-    intake.emplace(*open.ledger, deadline ? &*deadline : nullptr,
+    intake.emplace(open.sweep, *open.ledger, deadline ? &*deadline : nullptr,
                    Progress(missing, schedule->total_seconds(), reporter), notes);
   });
   const auto start = std::chrono::steady_clock::now();

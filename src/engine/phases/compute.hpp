@@ -2,11 +2,11 @@
 
 #include <optional>
 
+#include "engine/phases/note_run.hpp"
 #include "engine/phases/open.hpp"
 #include "engine/report/summary.hpp"
 #include "engine/stop/deadline.hpp"
 #include "engine/stop/stop.hpp"
-#include "store/run_notes/run_notes.hpp"
 
 namespace sigmasweep {
 
@@ -19,8 +19,8 @@ struct Computed {
 
 /// Fourth phase: computes the rows that are missing, on all ranks; each goes to the ledger of `open` as it comes in.
 /// Ends early when `stop` says so on any rank, and begins no row that is not expected to end before `deadline`. Each
-/// rank tells in its `notes` what it does. Throws OutputError and IoError.
-Computed compute_rows(const World& world, OpenSweep& open, RunNotes& notes, std::optional<Deadline>& deadline,
+/// rank tells in its notes what it does. Throws OutputError and IoError.
+Computed compute_rows(const World& world, OpenSweep& open, NotedRun& noted, std::optional<Deadline>& deadline,
                       const StopRequest& stop, const Reporter& reporter);
 
 }  // namespace sigmasweep

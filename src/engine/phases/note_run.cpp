@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <random>
+#include <span>
+#include <vector>
 
 #include "engine/phases/phase.hpp"
 #include "mpi/run_collective.hpp"
@@ -20,6 +23,16 @@ void quarantine(OpenSweep& open, const SuspicionByRow& suspicion, const Reporter
   }
 }
 
+/// The manager's set on every rank. Collective.
+std::set<std::uint64_t> broadcast(const World& world, const std::set<std::uint64_t>& set) {
+  const std::vector<std::uint64_t> numbers(set.begin(), set.end());
+  const std::string bytes =
+      world.broadcast(std::string(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof numbers[0]));
+  std::vector<std::uint64_t> received(bytes.size() / sizeof numbers[0]);
+  std::ranges::copy(std::as_bytes(std::span(bytes)), std::as_writable_bytes(std::span(received)).begin());
+  return {received.begin(), received.end()};
+}
+
 }  // namespace
 
 NotedRun::NotedRun(const World& world, OpenSweep& open, const Reporter& reporter)
@@ -27,8 +40,12 @@ NotedRun::NotedRun(const World& world, OpenSweep& open, const Reporter& reporter
   RunNotesIdentity identity{open.sweep.hash(), open.sweep.size(), std::random_device{}()};
   identity.run = static_cast<std::uint64_t>(world.broadcast(static_cast<std::int64_t>(identity.run)));
   on_manager(world, [&] {
-    quarantine(open, begin_run_notes(open.table, identity, world.size(), open.fresh || open.retry), reporter);
+    const auto suspicion = begin_run_notes(open.table, identity, world.size(), open.fresh || open.retry);
+    quarantine(open, suspicion, reporter);
+    for (const auto& [row, score] : suspicion)
+      if (!open.ledger->has(row)) suspects_.insert(row);
   });
+  suspects_ = broadcast(world, suspects_);
   on_all_ranks(world, [&] {
     run_collective(world.comm(), [&] {
       notes_.emplace(open.table, identity, world.rank());

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "engine/phases/open.hpp"
@@ -23,10 +25,13 @@ class NotedRun {
   NotedRun& operator=(const NotedRun&) = delete;
   /// Those of this rank.
   RunNotes& notes() { return *notes_; }
+  /// Rows that were being computed when a process died, and are not done; on each rank.
+  const std::set<std::uint64_t>& suspects() const { return suspects_; }
 
  private:
   const OpenSweep& open_;
   bool is_manager_;
+  std::set<std::uint64_t> suspects_;
   std::optional<RunNotes> notes_;
 };
 

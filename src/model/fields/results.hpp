@@ -73,7 +73,8 @@ inline constexpr auto table_of_results = std::to_array<FieldOf<SimulationResult>
 });
 
 inline constexpr auto table_of_timings = std::to_array<FieldOf<Timing>>({
-    {SIGMASWEEP_MEMBER(Timing, run_time), .unit = "s", .meaning = "CPU time of the tuple"},
+    {SIGMASWEEP_MEMBER(Timing, run_time), .unit = "s",
+     .meaning = "CPU time of the tuple; of tuples computed together the share of their time"},
     {SIGMASWEEP_MEMBER(Timing, predicted_time), .unit = "s", .meaning = "CPU time predicted by the cost model"},
     {SIGMASWEEP_MEMBER(Timing, rank), .unit = "1", .meaning = "rank that computed the row"},
     {SIGMASWEEP_MEMBER(Timing, attempt), .unit = "1", .meaning = "number of the attempt; 1 for the first"},

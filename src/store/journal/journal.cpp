@@ -5,15 +5,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <chrono>
 #include <span>
 #include <utility>
 
 #include "base/atomic_file.hpp"
 #include "base/output/place.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "store/journal/background_sync.hpp"
 #include "store/journal/description.hpp"
 #include "store/journal/lock.hpp"
 #include "store/journal/record.hpp"
@@ -22,11 +23,7 @@
 namespace sigmasweep {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-// Group commit: one fdatasync per record would allow some hundred rows/s, one per 1024 records some hundred thousand.
-constexpr std::uint64_t records_per_sync = 1024;
-constexpr auto time_per_sync = std::chrono::seconds(1);
+constexpr std::size_t rows_at_a_time = 4096;  // of a journal that is made
 
 }  // namespace
 
@@ -38,23 +35,23 @@ struct Journal::Impl {
         identity(identity_),
         description(description_of(info)),
         header(make_header(identity_, description)),
-        codec(header),
-        buffer(codec.size()) {
+        codec(header) {
     if (fresh)
       create({});
     else
       open_existing(carry);
   }
-  ~Impl() {
-    if (file.is_open() && failure.empty() && unsynced != 0) ::fdatasync(file.fd());  // nobody left to tell
-  }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
+  ~Impl() = default;
 
   void open_existing(const Carry& carry);
   void create(const std::vector<Row>& rows);
   void recover(const JournalHeader& found);
   bool replace(const JournalHeader& old, const Carry& carry);
+  int write(int fd, std::span<const Row> rows);
+  void cut_behind_last_whole_record();
+  void check() const;
   std::uint64_t end() const { return first_record(header) + records * codec.size(); }
   [[noreturn]] void fail(const char* what, int error) const {
     throw IoError(fmt::format("cannot {} {}: {}", what, path, reason(error)));
@@ -67,11 +64,10 @@ struct Journal::Impl {
   JournalHeader header;  // of the file, once there is one
   RecordCodec codec;
   File file;
-  std::vector<std::byte> buffer;  // one record
-  std::uint64_t records = 0;      // in the file, damaged ones included
-  std::uint64_t unsynced = 0;
-  Clock::time_point last_sync = Clock::now();
-  std::string failure;  // why nothing can be written any more
+  std::unique_ptr<BackgroundSync> syncing;  // of the file, once something is written
+  std::vector<std::byte> buffer;            // the records of one write
+  std::uint64_t records = 0;                // in the file, damaged ones included
+  std::string failure;                      // why nothing can be written any more
   std::vector<Row> recovered;
   std::uint64_t dropped = 0;
 };
@@ -121,17 +117,44 @@ void Journal::Impl::create(const std::vector<Row>& rows) {
   records = 0;
   int error = write_at(made.fd(), std::as_bytes(std::span(&header, 1)), 0);
   if (error == 0) error = write_at(made.fd(), std::as_bytes(std::span(description)), sizeof header);
-  for (const Row& row : rows) {
-    if (error != 0) break;
-    codec.encode(row, records, buffer.data());
-    error = write_at(made.fd(), buffer, end());
-    ++records;
+  for (std::span<const Row> left(rows); error == 0 && !left.empty();) {
+    const auto some = left.first(std::min(left.size(), rows_at_a_time));
+    error = write(made.fd(), some);
+    left = left.subspan(some.size());
   }
   if (error == 0) error = made.sync();
   if (error == 0) error = made.rename();
   if (error != 0) throw OutputError(fmt::format("cannot create {}: {}", path, reason(error)));
   file = made.release();
   sync_directory_of(path);
+}
+
+/// Appends the rows in one write. Returns 0, or the errno of a failure; `records` then is as before.
+int Journal::Impl::write(int fd, std::span<const Row> rows) {
+  buffer.resize(rows.size() * codec.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    assert(rows[i].index < identity.rows);
+    codec.encode(rows[i], records + i, buffer.data() + i * codec.size());
+  }
+  const int error = write_at(fd, buffer, end());
+  if (error == 0) records += rows.size();
+  return error;
+}
+
+/// After a write that failed: what of it went through stays.
+void Journal::Impl::cut_behind_last_whole_record() {
+  struct stat status {};
+  const bool is_known = ::fstat(file.fd(), &status) == 0;
+  if (const auto size = static_cast<std::uint64_t>(status.st_size); is_known && size > end())
+    records += (size - end()) / codec.size();
+  if (!is_known || ::ftruncate(file.fd(), static_cast<off_t>(end())) != 0)
+    failure = fmt::format("cannot write {}: {}", path, reason(errno));
+}
+
+void Journal::Impl::check() const {
+  if (!failure.empty()) throw IoError(failure);
+  if (syncing && syncing->failure() != 0)
+    throw IoError(fmt::format("cannot sync {}: {}", path, reason(syncing->failure())));
 }
 
 /// Sets `records` to one past the last good record.
@@ -155,48 +178,36 @@ bool Journal::is_there() const { return impl_->file.is_open(); }
 
 void Journal::begin(const std::vector<Row>& rows) {
   if (!is_there()) return impl_->create(rows);
-  for (const Row& row : rows) append(row);
+  append(rows);
 }
 
 const std::vector<Row>& Journal::recovered() const { return impl_->recovered; }
 std::uint64_t Journal::dropped() const { return impl_->dropped; }
 
-void Journal::append(const Row& row) {
+void Journal::append(std::span<const Row> rows) {
   Impl& j = *impl_;
-  assert(row.index < j.identity.rows);
-  if (!j.failure.empty()) throw IoError(j.failure);
+  j.check();
+  if (rows.empty()) return;
   if (!is_there()) j.create({});
-  j.codec.encode(row, j.records, j.buffer.data());
-  if (const int error = write_at(j.file.fd(), j.buffer, j.end()); error != 0) {
-    if (::ftruncate(j.file.fd(), static_cast<off_t>(j.end())) != 0)
-      j.failure = fmt::format("cannot write {}: {}", j.path, reason(error));
-    j.fail("write", error);
-  }
-  ++j.records;
-  ++j.unsynced;
-  if (j.unsynced >= records_per_sync || Clock::now() - j.last_sync >= time_per_sync) sync();
+  if (!j.syncing) j.syncing = std::make_unique<BackgroundSync>(j.file.fd());
+  const int error = j.write(j.file.fd(), rows);
+  j.syncing->wrote();
+  if (error == 0) return;
+  j.cut_behind_last_whole_record();
+  j.fail("write", error);
 }
 
 void Journal::sync() {
-  Impl& j = *impl_;
-  if (!j.failure.empty()) throw IoError(j.failure);
-  if (j.unsynced == 0) return;
-  if (::fdatasync(j.file.fd()) != 0) {
-    // The kernel may have dropped the pages and forgotten the error: a second try could succeed without them.
-    j.failure = fmt::format("cannot sync {}: {}", j.path, reason(errno));
-    throw IoError(j.failure);
-  }
-  j.unsynced = 0;
-  j.last_sync = Clock::now();
+  if (impl_->syncing) impl_->syncing->sync();
+  impl_->check();
 }
 
-void Journal::sync_if_due() {
-  if (impl_->unsynced != 0 && impl_->failure.empty() && Clock::now() - impl_->last_sync >= time_per_sync) sync();
-}
+void Journal::check() const { impl_->check(); }
 
 void Journal::remove() {
   Impl& j = *impl_;
   j.failure = fmt::format("{} was removed", j.path);
+  j.syncing.reset();
   j.file.close();
   if (::unlink(j.path.c_str()) != 0 && errno != ENOENT) j.fail("remove", errno);
   sync_directory_of(j.path);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,16 +63,17 @@ class Journal {
   /// Number of records that were found damaged or torn when it was opened. Their rows must be computed again.
   std::uint64_t dropped() const;
 
-  /// Writes the record at once, so that a killed process loses nothing. Syncs to disk in groups: a second, or 1024
-  /// rows, after the last sync. Throws IoError naming the file and the cause (disk full); the journal then ends with
-  /// its last whole record and can be continued. After a failed sync it stays failed: the content of the disk is
-  /// unknown until the journal is opened again.
-  void append(const Row& row);
+  /// Writes the records at once, in one write, so that a killed process loses nothing. A thread brings them to the disk
+  /// about a second later, so that a machine that loses its power loses the rows of the last second or two. Throws
+  /// IoError naming the file and the cause (disk full); the journal then ends with its last whole record and can be
+  /// continued. After a failed sync it stays failed: the content of the disk is unknown until the journal is opened
+  /// again.
+  void append(std::span<const Row> rows);
+  void append(const Row& row) { append({&row, 1}); }
   /// Brings all appended rows to the disk. Throws IoError.
   void sync();
-  /// The same a second after the last sync, for rows after which none has come. Until then other machines may not see
-  /// them.
-  void sync_if_due();
+  /// Throws IoError if nothing can be appended any more: a sync failed meanwhile.
+  void check() const;
   /// Removes the journal, once the table is complete and checked. Nothing can be appended afterwards; the lock stays.
   void remove();
 

@@ -11,7 +11,7 @@
 /// network do not overwrite each other: they exchange whole pages. Numbers are stored as the machine has them.
 namespace sigmasweep::notes {
 
-inline constexpr std::uint64_t magic = 0x0a324e5552575353;  // "SSWRUN2\n" on a little-endian machine
+inline constexpr std::uint64_t magic = 0x0a334e5552575353;  // "SSWRUN3\n" on a little-endian machine
 
 /// The first page. The manager alone writes it.
 struct Header {
@@ -25,14 +25,18 @@ struct Header {
   double seconds_left = 0.0;    ///< estimate; NaN: unknown
 };
 
+inline constexpr std::uint64_t max_noted_rows = 256;
+
 /// The page of a rank. Times are those of the machine's monotonic clock, ns.
 struct RankPage {
-  std::uint64_t row_plus_1 = 0;  ///< the row that is computed; 0: none
+  std::uint64_t row_plus_1 = 0;  ///< the row that is computed, the first of a batch; 0: none
   std::int64_t began = 0;        ///< when the row was begun
   std::int64_t beat = 0;         ///< the last heartbeat
   ProcessId process{};
   Machine machine{};
-  std::array<char, 64> host{};  ///< ends with a zero
+  std::array<char, 64> host{};                       ///< ends with a zero
+  std::uint64_t batch = 0;                           ///< number of rows that are computed side by side; 0: one
+  std::array<std::uint64_t, max_noted_rows> rows{};  ///< of the batch
 };
 
 struct Suspicion {

@@ -19,6 +19,13 @@
 namespace sigmasweep {
 namespace {
 
+/// The rows that a rank was computing.
+std::vector<std::uint64_t> rows_of(const notes::RankPage& page) {
+  if (page.row_plus_1 == 0) return {};
+  if (page.batch == 0) return {page.row_plus_1 - 1};
+  return {page.rows.begin(), page.rows.begin() + std::min(page.batch, notes::max_noted_rows)};
+}
+
 /// The suspicion that the file of an earlier run gives rise to, if it is of the same sweep.
 SuspicionByRow suspicion_in(const notes::Contents& found, const RunNotesIdentity& identity) {
   SuspicionByRow suspicion;
@@ -27,7 +34,8 @@ SuspicionByRow suspicion_in(const notes::Contents& found, const RunNotesIdentity
     if (row < identity.rows) suspicion[row] += score;
   std::vector<std::uint64_t> left;
   for (const notes::RankPage& page : found.ranks)
-    if (page.row_plus_1 > 0 && page.row_plus_1 <= identity.rows) left.push_back(page.row_plus_1 - 1);
+    for (const std::uint64_t row : rows_of(page))
+      if (row < identity.rows) left.push_back(row);
   for (const std::uint64_t row : left) suspicion[row] += left.size() == 1 ? 2 : 1;
   return suspicion;
 }
@@ -145,9 +153,16 @@ void RunNotes::beat() noexcept {
     write_at(file_.fd(), std::span(copy_.get(), size_), offset_);
 }
 
-void RunNotes::begin(std::uint64_t row) noexcept {
-  store(page_->began, monotonic_nanoseconds());
-  std::atomic_ref(page_->row_plus_1).store(row + 1);
+void RunNotes::begin(std::span<const std::uint64_t> rows, Clock::time_point since) noexcept {
+  store(page_->began, std::int64_t{std::chrono::nanoseconds(since.time_since_epoch()).count()});
+  std::atomic_ref batch(page_->batch);
+  batch.store(0);
+  std::atomic_ref(page_->row_plus_1).store(rows.front() + 1);
+  if (rows.size() > 1) {
+    const auto noted = rows.first(std::min<std::size_t>(rows.size(), notes::max_noted_rows));
+    std::ranges::copy(noted, page_->rows.begin());
+    batch.store(noted.size());
+  }
   if (absolved_) end();  // asked afterwards, because absolve() may come at any moment
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -25,8 +27,8 @@ struct RunNotesIdentity {
 };
 
 /// Suspicion score of each row that was being computed when a process died. The score of a row rises by 2 for each run
-/// that died while no other row was being computed, and by 1 where there were others: then any of these rows, mpirun or
-/// the machine may have been the cause.
+/// that died while no other row was being computed, and by 1 where there were others, on other ranks or in the same
+/// batch: then any of these rows, mpirun or the machine may have been the cause.
 using SuspicionByRow = std::map<std::uint64_t, std::uint64_t>;
 
 /// Returns the suspicion scores that earlier runs left (none if `fresh`), and makes a new file for `ranks` ranks that
@@ -56,12 +58,15 @@ struct Header;
 /// heartbeat is also handed to the file system, so that other machines see it.
 class RunNotes {
  public:
+  using Clock = std::chrono::steady_clock;
   /// Throws OutputError if the file that the manager made is not there: this rank does not see the same directory.
   RunNotes(const std::string& table, const RunNotesIdentity& identity, int rank);
   ~RunNotes();
   RunNotes(const RunNotes&) = delete;
   RunNotes& operator=(const RunNotes&) = delete;
-  void begin(std::uint64_t row) noexcept;
+  /// Rows are being computed from now on, or from a moment of the steady clock on; at most max_noted_rows are noted.
+  void begin(std::uint64_t row) noexcept { begin({&row, 1}); }
+  void begin(std::span<const std::uint64_t> rows, Clock::time_point since = Clock::now()) noexcept;
   void end() noexcept;
   /// This rank was told to stop: if it dies from now on, its row is not the cause. May be called from any thread, and
   /// repeatedly.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <vector>
@@ -78,9 +77,9 @@ std::vector<double> predicted_times(const Sweep& sweep, const PrecisionSpec& stu
 }
 
 Schedule schedule_of(const std::vector<double>& predicted, int ranks) {
-  std::vector<std::uint64_t> scenes(predicted.size());
-  std::iota(scenes.begin(), scenes.end(), std::uint64_t{0});
-  return Schedule(std::move(scenes), predicted, ranks);
+  std::vector<ScheduledTask> scenes;
+  for (const double seconds : predicted) scenes.push_back({scenes.size(), seconds});
+  return Schedule(std::move(scenes), ranks);
 }
 
 /// Measures all scenes on all ranks, each scene on one rank. Returns the rows, in order of scenes, on the manager;
@@ -106,11 +105,13 @@ std::vector<PrecisionRow> measure(const World& world, const Sweep& sweep, const 
   job.compute = [&, rank = world.rank()](const SceneTask& task, const std::function<bool()>&) {
     return std::optional(measure_scene(task, study, rank, ranks_per_core));
   };
-  job.finished = [&](const std::vector<PrecisionRow>& rows) {
-    if (rows.empty()) return;
-    all.insert(all.end(), rows.begin(), rows.end());
-    done.insert(rows.front().scene);
-    progress->add(1, predicted[rows.front().scene]);
+  job.finished = [&](std::span<const std::vector<PrecisionRow>> answers) {
+    for (const std::vector<PrecisionRow>& rows : answers) {
+      if (rows.empty()) continue;
+      all.insert(all.end(), rows.begin(), rows.end());
+      done.insert(rows.front().scene);
+      progress->add(1, predicted[rows.front().scene]);
+    }
   };
   job.stop = [&] {
     if (progress) progress->add(0, 0.0);

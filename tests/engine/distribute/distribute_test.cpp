@@ -12,7 +12,7 @@
 #include <set>
 #include <thread>
 
-#include "engine/compute_row.hpp"
+#include "engine/compute_batch.hpp"
 #include "engine/distribute/distribute.hpp"
 
 namespace sigmasweep {
@@ -48,9 +48,9 @@ bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == s
 /// A job that counts. `pause` is how long computing a row takes.
 struct PreparedRun {
   explicit PreparedRun(std::uint64_t rows, double predicted_seconds = 1e-4) : predicted(predicted_seconds) {
-    std::vector<std::uint64_t> all(rows);
-    for (std::uint64_t row = 0; row < rows; ++row) all[row] = row;
-    schedule.emplace(all, std::vector<double>(rows, predicted_seconds), world().size());
+    std::vector<ScheduledTask> all;
+    for (std::uint64_t row = 0; row < rows; ++row) all.push_back({row, predicted_seconds});
+    schedule.emplace(all, world().size());
     job.task = [](std::uint64_t row, double seconds) { return SweepTask{row, seconds, tuple(row)}; };
     job.compute = [this](const SweepTask& t, const auto&) {
       ++computed;
@@ -63,16 +63,20 @@ struct PreparedRun {
       row.timing.predicted_time = t.predicted_seconds;
       return row;
     };
-    job.finished = [this](const Row& row) {
+    job.finished = [this](std::span<const Row> rows_in) {
       if (came.empty()) computed_at_first = computed;
-      ++came[row.index];
-      ++rows_of[row.timing.rank];
-      intact = intact && same_bits(row.parameters.v0, tuple(row.index).v0) &&
-               same_bits(row.parameters.tc, tuple(row.index).tc) && same_bits(row.parameters.s0, tuple(row.index).s0) &&
-               same_bits(row.result.eps_eff, tuple(row.index).s0) && same_bits(row.timing.predicted_time, predicted) &&
-               row.parameters.N == tuple(row.index).N;
+      for (const Row& row : rows_in) take(row);
     };
     job.stop = [] { return false; };
+  }
+
+  void take(const Row& row) {
+    ++came[row.index];
+    ++rows_of[row.timing.rank];
+    intact = intact && same_bits(row.parameters.v0, tuple(row.index).v0) &&
+             same_bits(row.parameters.tc, tuple(row.index).tc) && same_bits(row.parameters.s0, tuple(row.index).s0) &&
+             same_bits(row.result.eps_eff, tuple(row.index).s0) && same_bits(row.timing.predicted_time, predicted) &&
+             row.parameters.N == tuple(row.index).N;
   }
 
   void run() { distribute(world(), world().is_manager() ? &*schedule : nullptr, job); }
@@ -313,9 +317,11 @@ TEST(Distribute, AnswersMayBeVectors) {
     return std::optional(numbers);
   };
   std::set<std::vector<std::uint64_t>> came;
-  job.finished = [&](const std::vector<std::uint64_t>& numbers) { came.insert(numbers); };
+  job.finished = [&](std::span<const std::vector<std::uint64_t>> answers) {
+    came.insert(answers.begin(), answers.end());
+  };
   job.stop = [] { return false; };
-  Schedule schedule({0, 1, 2, 3}, {1.0, 1.0, 1.0, 1.0}, world().size());
+  Schedule schedule({{0, 1.0}, {1, 1.0}, {2, 1.0}, {3, 1.0}}, world().size());
   distribute(world(), &schedule, job);
   if (world().is_manager()) {
     EXPECT_EQ(came, (std::set<std::vector<std::uint64_t>>{{}, {1}, {2, 1}, {3, 2, 1}}));

@@ -1,0 +1,107 @@
+#include "engine/compute_batch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "base/thread_clock.hpp"
+#include "sigmasweep/solve/simulate.hpp"
+#include "solve/solvers.hpp"
+
+namespace sigmasweep {
+namespace {
+
+constexpr std::size_t most_rows = 256;
+/// Predicted time of a batch, s: what a stop may have to wait for, and what cannot be given back to another rank.
+constexpr double longest_side_by_side = 0.1, longest_one_by_one = 0.01;
+constexpr auto patience = std::chrono::milliseconds(5);  // with rows one by one
+
+bool goes_side_by_side(const SweepTask& task) { return solver_of(task.parameters).run_many != nullptr; }
+
+double seconds(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
+
+}  // namespace
+
+double default_time_limit(double predicted_seconds) { return std::max(60.0, 100.0 * predicted_seconds); }
+
+BatchComputer::BatchComputer(int rank, std::optional<double> limit, std::set<std::uint64_t> alone, RunNotes& notes)
+    : rank_(rank), limit_(limit), alone_(std::move(alone)), notes_(notes) {}
+
+std::size_t BatchComputer::size(std::span<const SweepTask> tasks) const {
+  const SweepTask& first = tasks.front();
+  if (is_alone(first)) return 1;
+  const bool is_side_by_side = goes_side_by_side(first);
+  const double longest = is_side_by_side ? longest_side_by_side : longest_one_by_one;
+  double predicted = first.predicted_seconds;
+  std::size_t size = 1;
+  for (const SweepTask& task : tasks.first(std::min(tasks.size(), most_rows)).subspan(1)) {
+    predicted += task.predicted_seconds;
+    if (predicted > longest || is_alone(task) || goes_side_by_side(task) != is_side_by_side) break;
+    ++size;
+  }
+  return size;
+}
+
+void BatchComputer::compute(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
+                            std::vector<SweepAnswer>& answers) {
+  if (batch.size() > 1 && goes_side_by_side(batch.front()))
+    side_by_side(batch, should_end, answers);
+  else
+    one_by_one(batch, should_end, answers);
+  notes_.end();
+}
+
+ComputeBudget BatchComputer::budget_of(const SweepTask& task, const std::function<bool()>& should_end) const {
+  return ComputeBudget(limit_ ? *limit_ : default_time_limit(task.predicted_seconds),
+                       [&should_end] { return should_end(); });
+}
+
+SweepAnswer BatchComputer::answer_to(const SweepTask& task, const SimulationResult& result, double seconds) const {
+  return {.index = task.index,
+          .result = result,
+          .timing = {.run_time = seconds, .predicted_time = task.predicted_seconds, .rank = rank_}};
+}
+
+void BatchComputer::one_by_one(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
+                               std::vector<SweepAnswer>& answers) {
+  const double cpu_start = thread_seconds();
+  const auto start = Clock::now();
+  const std::size_t before = answers.size();
+  auto now = start;
+  for (const SweepTask& task : batch) {
+    notes_.begin({&task.index, 1}, now);
+    ComputeBudget budget = budget_of(task, should_end);
+    const SimulationResult result = simulate(task.parameters, &budget);
+    const auto began = std::exchange(now, Clock::now());
+    if (budget.was_stopped()) break;
+    answers.push_back(answer_to(task, result, seconds(now - began)));
+    if (now - start > patience) break;
+  }
+  const double all = seconds(now - start), factor = all > 0.0 ? (thread_seconds() - cpu_start) / all : 1.0;
+  for (SweepAnswer& answer : std::span(answers).subspan(before)) answer.timing.run_time *= factor;
+}
+
+void BatchComputer::side_by_side(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
+                                 std::vector<SweepAnswer>& answers) {
+  std::vector<std::uint64_t> rows;
+  std::vector<Parameters> parameters;
+  std::vector<ComputeBudget> budgets;
+  double predicted = 0.0;
+  for (const SweepTask& task : batch) {
+    rows.push_back(task.index);
+    parameters.push_back(task.parameters);
+    budgets.push_back(budget_of(task, should_end));
+    predicted += task.predicted_seconds;
+  }
+  std::vector<SimulationResult> results(batch.size());
+  const double cpu_start = thread_seconds();
+  notes_.begin(rows);
+  simulate_many(parameters, results, budgets);
+  const double share = (thread_seconds() - cpu_start) / predicted;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (budgets[i].was_stopped() || results[i].status == Status::not_run) return;  // nor are those behind it
+    answers.push_back(answer_to(batch[i], results[i], batch[i].predicted_seconds * share));
+  }
+}
+
+}  // namespace sigmasweep

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "sigmasweep/base/budget.hpp"
+#include "sigmasweep/model/row.hpp"
+#include "store/run_notes/run_notes.hpp"
+
+namespace sigmasweep {
+
+/// One row of a sweep to compute, with its predicted CPU time, s. A plain value of fixed size: it is sent between
+/// ranks.
+struct SweepTask {
+  std::uint64_t index = 0;
+  double predicted_seconds = 0.0;
+  Parameters parameters;
+};
+
+/// What comes back: a Row without its parameters, which the manager knows.
+struct SweepAnswer {
+  std::uint64_t index = 0;
+  SimulationResult result;
+  Timing timing;
+};
+
+/// A hundred times the predicted time, but at least a minute, s.
+double default_time_limit(double predicted_seconds);
+
+/// Computes rows on one rank: several side by side where their solver can (Solver::run_many), others one by one. Both
+/// have the bits of simulate(). Whatever a solver throws becomes Status::failed.
+///
+/// The CPU clock, which is a system call, is read once a batch. The rows of a batch share its CPU time: rows that are
+/// computed one by one in proportion to the time that each took by the steady clock, rows side by side in proportion to
+/// their predicted times.
+class BatchComputer {
+ public:
+  /// A row that takes longer than `limit` of CPU time, s, becomes Status::time_limit; by default the limit is
+  /// default_time_limit(). `alone` are rows of which a process may have died: none of them is computed in a batch with
+  /// others, so that only the guilty one is blamed.
+  BatchComputer(int rank, std::optional<double> limit, std::set<std::uint64_t> alone, RunNotes& notes);
+
+  /// The number of the first of `tasks` that make a batch.
+  std::size_t size(std::span<const SweepTask> tasks) const;
+  /// Computes the first tasks of a batch and appends their answers. It ends after a few milliseconds if the rows take
+  /// longer than predicted, but not before the first row, unless `should_end` says so.
+  void compute(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
+               std::vector<SweepAnswer>& answers);
+
+ private:
+  using Clock = RunNotes::Clock;
+  bool is_alone(const SweepTask& task) const { return !alone_.empty() && alone_.contains(task.index); }
+  ComputeBudget budget_of(const SweepTask& task, const std::function<bool()>& should_end) const;
+  SweepAnswer answer_to(const SweepTask& task, const SimulationResult& result, double seconds) const;
+  void one_by_one(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
+                  std::vector<SweepAnswer>& answers);
+  void side_by_side(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
+                    std::vector<SweepAnswer>& answers);
+
+  int rank_;
+  std::optional<double> limit_;
+  std::set<std::uint64_t> alone_;
+  RunNotes& notes_;
+};
+
+}  // namespace sigmasweep
