@@ -88,6 +88,7 @@ std::optional<int> Dispatcher::next_to_give_back() {
   }
   if (!most) return most;
   rank_[static_cast<std::size_t>(*most)].is_asked = true;
+  rank_[static_cast<std::size_t>(*most)].has_none = true;  // until more is known
   ++asked_;
   return most;
 }
@@ -96,7 +97,7 @@ void Dispatcher::given_back(int rank, std::uint64_t count) {
   Rank& its = rank_[static_cast<std::size_t>(rank)];
   if (!its.is_asked) throw wire::BadMessage();
   its.is_asked = false;
-  its.has_none = count == 0;
+  if (count > 0) its.has_none = false;
   --asked_;
   const Tasks tasks = out_.given_back(rank, count);
   pool_.insert(pool_.end(), tasks.begin(), tasks.end());

@@ -55,7 +55,7 @@ class Dispatcher {
     std::size_t last_chunk_tasks = 0;
     double last_chunk_seconds = 0.0;  ///< predicted
     bool is_asked = false;            ///< to give back tasks
-    bool has_none = false;            ///< gave back none, and has not answered since then
+    bool has_none = false;            ///< gave back none, and has neither answered nor got any since it was asked
   };
   bool wants_chunk(int rank) const;
   Tasks next_from_pool(double max_seconds);
