@@ -12,11 +12,15 @@ die() {  # exit code, words
 }
 
 # Installs what is missing of sweeps/packages; silent and quick when nothing is. Nobody's own machine gets what only the
-# tests want: `install_packages tests`.
+# tests want, `install_packages tests`, or Python, `install_packages python`.
 install_packages() {
   local list
   list=$(cat "$root/sweeps/packages")
-  [ "${1:-}" = tests ] || list=${list%%# tests/run only*}
+  case ${1:-} in
+    tests) ;;
+    python) list=${list%%# tests/run only*} ;;
+    *) list=${list%%# sweeps/run python*} ;;
+  esac
   command -v dpkg-query > /dev/null && command -v apt-get > /dev/null ||
     die 69 "this system has no apt. Install the equivalents of the packages in sweeps/packages, then:
   cmake --preset release && cmake --build --preset release   (in $root; the program is build/release/sigmasweep)"

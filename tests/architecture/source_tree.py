@@ -10,7 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # From the lowest room to the highest. A room uses itself and the rooms before it.
 ROOMS = ["base", "model", "numerics", "contact", "assembly", "solve", "sweep", "trajectory", "plot", "mpi", "store",
-         "engine", "studies", "cli"]
+         "engine", "studies", "cli", "python"]
 
 INSTALLED = "include/sigmasweep"
 KEYWORDS = {"if", "for", "while", "switch", "return", "sizeof", "decltype", "alignas", "alignof", "noexcept", "requires",

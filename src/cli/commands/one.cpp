@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/rows/json.hpp"
+#include "sweep/toml/mistakes.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -37,15 +37,6 @@ std::string toml_value(const Field& field, const std::string& typed) {
                                        : fmt::format("{}", parse_whole_number(typed).value());
 }
 
-/// A message about a spec without the place in the spec.
-std::string without_place(std::string message, std::string_view file) {
-  if (const auto place = message.find(": "); message.starts_with(file) && place != std::string::npos)
-    message.erase(0, place + 2);
-  for (const std::string_view prefix : {"sweep.", "sweep: "})
-    if (message.starts_with(prefix)) message.erase(0, prefix.size());
-  return message;
-}
-
 /// The tuple as a sweep of one row, so that the spec's checks and messages apply.
 Sweep sweep_of(const OneOptions& options) {
   const std::string file = "command line";
@@ -55,12 +46,8 @@ Sweep sweep_of(const OneOptions& options) {
       spec += fmt::format("{} = {}\n", field.name, toml_value(field, value->second));
   try {
     return Sweep::parse(spec, file);
-  } catch (const SpecError& error) {  // "command line:3: sweep.s0 = -1: why"
-    std::istringstream mistakes(error.what());
-    std::string message;
-    for (std::string line; std::getline(mistakes, line);)
-      message += fmt::format("{}{}", message.empty() ? "" : "\n", without_place(line, file));
-    throw UsageError(message + " (see sigmasweep one --help)");
+  } catch (const SpecError& error) {
+    throw UsageError(spec::without_places(error.what(), file) + " (see sigmasweep one --help)");
   }
 }
 

@@ -8,6 +8,19 @@
 
 namespace sigmasweep::spec {
 
+std::string without_places(const std::string& messages, std::string_view file) {
+  std::istringstream lines(messages);
+  std::string all;
+  for (std::string line; std::getline(lines, line);) {
+    if (const auto place = line.find(": "); line.starts_with(file) && place != std::string::npos)
+      line.erase(0, place + 2);
+    for (const std::string_view prefix : {"sweep.", "sweep: "})
+      if (line.starts_with(prefix)) line.erase(0, prefix.size());
+    all += all.empty() ? line : "\n" + line;
+  }
+  return all;
+}
+
 void Mistakes::add(const std::string& message) {
   std::istringstream lines(message);
   for (std::string line; std::getline(lines, line);) {

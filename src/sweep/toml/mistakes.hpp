@@ -4,11 +4,16 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sigmasweep/base/errors.hpp"
 
 namespace sigmasweep::spec {
+
+/// The messages about a spec that is not a file of the user's, without the places in it: "s0 = -1: why" of
+/// "FILE:3: sweep.s0 = -1: why".
+std::string without_places(const std::string& messages, std::string_view file);
 
 /// The mistakes of a spec, which are reported together.
 class Mistakes {
