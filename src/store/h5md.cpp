@@ -26,6 +26,7 @@
 #include "store/hdf5/open.hpp"
 #include "store/hdf5/seal.hpp"
 #include "store/hdf5/tree.hpp"
+#include "store/hdf5/trial.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -240,6 +241,22 @@ void require_sound(const Trajectory& t) {
     throw IoError("its times do not ascend");
 }
 
+Trajectory read_open_h5md(const std::string& path) {
+  const Handle file = open_file(path, "trajectory"), beads = open_group(file, "particles/beads");
+  Trajectory trajectory;
+  std::vector<hsize_t> samples{0}, N{0};
+  trajectory.time = get_array(beads, "position/time", samples);
+  trajectory.mass = get_array(beads, "mass", N);
+  trajectory.diameter = get_array(beads, "diameter", N);
+  std::vector<hsize_t> extents{samples[0], N[0], 1};
+  require_sound(trajectory);
+  if (check(H5Lexists(beads, "reduced_height", H5P_DEFAULT), "cannot look for reduced_height") == 0)
+    read_plane(beads, trajectory, extents);
+  else
+    read_column(beads, trajectory, extents);
+  return trajectory;
+}
+
 }  // namespace
 
 void write_h5md(const std::string& path, const Tuple& tuple, const Trajectory& trajectory) {
@@ -257,19 +274,7 @@ void write_h5md(const std::string& path, const Tuple& tuple, const Trajectory& t
 Trajectory read_h5md(const std::string& path) {
   const Hdf5Session session;
   try {
-    const Handle file = open_file(path, "trajectory"), beads = open_group(file, "particles/beads");
-    Trajectory trajectory;
-    std::vector<hsize_t> samples{0}, N{0};
-    trajectory.time = get_array(beads, "position/time", samples);
-    trajectory.mass = get_array(beads, "mass", N);
-    trajectory.diameter = get_array(beads, "diameter", N);
-    std::vector<hsize_t> extents{samples[0], N[0], 1};
-    require_sound(trajectory);
-    if (check(H5Lexists(beads, "reduced_height", H5P_DEFAULT), "cannot look for reduced_height") == 0)
-      read_plane(beads, trajectory, extents);
-    else
-      read_column(beads, trajectory, extents);
-    return trajectory;
+    return read_after_trial(path, [&] { return read_open_h5md(path); });
   } catch (const IoError& error) {
     throw IoError(fmt::format("{} is not a trajectory of sigmasweep: {}", path, error.what()));
   }
@@ -278,8 +283,11 @@ Trajectory read_h5md(const std::string& path) {
 bool is_h5md_of(const std::string& path, const Parameters& parameters, std::size_t samples, double duration) {
   const Hdf5Session session;
   try {
-    const Handle file = open_file(path, "trajectory"), group = open_group(file, "parameters");
-    const std::string key = get_text(group, "key"), wanted = key_of(parameters, samples, duration);
+    const std::string key = read_after_trial(path, [&] {
+      const Handle file = open_file(path, "trajectory"), group = open_group(file, "parameters");
+      return get_text(group, "key");
+    });
+    const std::string wanted = key_of(parameters, samples, duration);
     return std::isnan(duration) ? key.substr(0, key.rfind('-')) == wanted.substr(0, wanted.rfind('-')) : key == wanted;
   } catch (const Error&) {
     return false;

@@ -10,6 +10,7 @@
 #include "sigmasweep/base/errors.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/hdf5/open.hpp"
+#include "store/hdf5/trial.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
 #include "store/table/packing.hpp"
@@ -121,7 +122,7 @@ Table read_open_table(const std::string& path) {
 Table read_table(const std::string& path) {
   const Hdf5Session session;
   try {
-    return read_open_table(path);
+    return read_after_trial(path, [&] { return read_open_table(path); });
   } catch (const IoError& error) {
     throw IoError(fmt::format("{} is not a whole table of sigmasweep: {}", path, error.what()));
   }

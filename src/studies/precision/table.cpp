@@ -14,6 +14,7 @@
 #include "store/hdf5/open.hpp"
 #include "store/hdf5/seal.hpp"
 #include "store/hdf5/tree.hpp"
+#include "store/hdf5/trial.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
 #include "store/table/packing.hpp"
@@ -118,7 +119,7 @@ std::vector<PrecisionRow> get_rows(hid_t file) {
 bool is_precision_table(const std::string& path) {
   const Hdf5Session session;
   try {
-    return read_text(open_file(path, "table"), "format") == precision_format;
+    return read_after_trial(path, [&] { return read_text(open_file(path, "table"), "format") == precision_format; });
   } catch (const Error&) {
     return false;
   }
@@ -127,8 +128,10 @@ bool is_precision_table(const std::string& path) {
 PrecisionTable read_precision_table(const std::string& path) {
   const Hdf5Session session;
   try {
-    const Handle file = open_file(path, "table");
-    return {read_long_text(file, "spec"), get_rows(file)};
+    return read_after_trial(path, [&] {
+      const Handle file = open_file(path, "table");
+      return PrecisionTable{read_long_text(file, "spec"), get_rows(file)};
+    });
   } catch (const IoError& error) {
     throw IoError(fmt::format("{} is not a precision study of sigmasweep: {}", path, error.what()));
   }
