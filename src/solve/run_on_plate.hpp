@@ -30,21 +30,21 @@ SimulationResult vibrated_result(const AnyOutcome& outcome, const Statistics& st
 
 /// `follow(column, plate, statistics)` moves the column until the statistics have seen enough, and returns its outcome.
 template <class Follow>
-SimulationResult run_column_on_plate(const Parameters& p, const Follow& follow) {
+SimulationResult run_column_on_plate(const Parameters& p, MotionBetween motion, const Follow& follow) {
   const VibrationUnits units = vibration_units(p);
   const auto column = reduced_column<double>(p);
   const Plate plate = Plate::of(p, units);
-  VibrationStatistics statistics(p, column, plate, units);
+  VibrationStatistics statistics(p, column, plate, units, motion);
   return vibrated_result(follow(column, plate, statistics), statistics, units);
 }
 
 /// The same for a lattice in a vibrated container.
 template <class Follow>
-SimulationResult run_lattice_on_plate(const Parameters& p, const Follow& follow) {
+SimulationResult run_lattice_on_plate(const Parameters& p, MotionBetween motion, const Follow& follow) {
   const VibrationUnits units = vibration_units(p);
   const auto lattice = reduced_lattice<double>(p);
   const Plate plate = Plate::of(p, units);
-  LatticeStatistics statistics(p, lattice, plate, units);
+  LatticeStatistics statistics(p, lattice, plate, units, motion);
   return vibrated_result(follow(lattice, plate, statistics), statistics, units);
 }
 

@@ -46,6 +46,24 @@ def sigmasweep(*arguments, **options):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=60, **options)
 
 
+# A plastic ball rests on the plate up to the phase asin(1/alpha), flies once a period, and stays where it lands.
+PLASTIC_BALL = """
+[sweep]
+geometry  = "vibrated-column"
+method    = "ed"
+N         = 1
+epsilon   = 1e-6
+wall      = "matched"
+alpha     = 2.0
+frequency = 25
+periods   = 60
+transient = 20
+[trajectory]
+samples  = 660001
+duration = 0.88
+"""
+
+
 class One(unittest.TestCase):
     def test_json(self):
         for method in (["--tc", "1e-4"], ["--method", "ed"]):
@@ -125,6 +143,33 @@ class Run(unittest.TestCase):
                 self.assertTrue((z[:, 0] - plate["value"][()] > -1e-3).all())
                 h = file["particles/beads/position/value"][()][:, :, 2]
                 numpy.testing.assert_allclose(h - z, numpy.tile([1e-3, 3e-3, 5e-3], (201, 1)), rtol=1e-12)
+
+    def test_mean_height_of_a_plastic_ball(self):
+        """It is the closed form, and the mean over the trajectory file; the error bar holds."""
+        A0, start = 2 * 9.81 / (50 * math.pi) ** 2, math.asin(0.5)
+
+        def above(phase):  # of the flight, over the plate, in units of g/omega^2
+            return 1 + 2 * math.cos(start) * phase - phase**2 / 2 - 2 * math.sin(start + phase)
+
+        low, high = 1.0, 2 * math.pi
+        for _ in range(100):
+            middle = (low + high) / 2
+            low, high = (middle, high) if above(middle) > 0 else (low, middle)
+        slope = 2 * math.cos(start)
+        integral = low + slope * low**2 / 2 - low**3 / 6 + 2 * math.cos(start + low) - slope
+        height = 0.5e-3 + integral / (2 * math.pi) * A0 / 2
+        self.assertAlmostEqual(height, 0.865513646098e-3, delta=1e-15)
+        sweep = Sweep(PLASTIC_BALL)
+        self.assertEqual(sweep.run(0).code, 0)
+        with h5py.File(sweep.table) as table:
+            row = table["results"][0]
+        self.assertLess(row["h_cm_error"], 1e-11 * A0)
+        self.assertAlmostEqual(row["h_cm"], height, delta=row["h_cm_error"])
+        with h5py.File(sweep.table.with_suffix(".trajectories") / "row-000000.h5") as film:
+            reduced = film["particles/beads/reduced_height/value"][:].ravel()
+        period = 30_000  # samples
+        mean = 0.5e-3 + reduced[-period:].mean()
+        self.assertAlmostEqual(row["h_cm"], mean, delta=1e-8 * A0)  # kinks: (2 pi/30000)^2/8 of a change of slope
 
     def test_pictures(self):
         with tempfile.TemporaryDirectory() as directory:

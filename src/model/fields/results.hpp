@@ -39,7 +39,7 @@ inline constexpr auto table_of_results = std::to_array<FieldOf<SimulationResult>
      .meaning = "mean height of the centre of mass above the plate's middle", .symbol = "⟨{/:Italic h}_{cm}⟩",
      .quantity = "mean height of the centre of mass ⟨{/:Italic h}_{cm}⟩", .applies = {&conditions::vibrates}},
     {SIGMASWEEP_MEMBER_NAMED("h_cm_error", SimulationResult, vibration.h_cm_error), .unit = "m",
-     .meaning = "standard error of h_cm, by block averages", .symbol = "δ{/:Italic h}_{cm}",
+     .meaning = "standard error of h_cm, by block averages; of periodic motion the error of the integration", .symbol = "δ{/:Italic h}_{cm}",
      .quantity = "standard error of ⟨{/:Italic h}_{cm}⟩", .applies = {&conditions::vibrates}},
     {SIGMASWEEP_MEMBER_NAMED("h_cm_excess", SimulationResult, vibration.h_cm_excess), .unit = "m",
      .meaning = "h_cm less its value at rest with the plate in the middle", .symbol = "Δ{/:Italic h}_{cm}",

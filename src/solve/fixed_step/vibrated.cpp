@@ -22,14 +22,14 @@ SimulationResult fixed_step_column_run_on_plate(const Parameters& p, ComputeBudg
   const auto follow = [&](const Column<double>& column, const Plate& plate, VibrationStatistics& statistics) {
     return fixed_step_vibrated_column(column, plate, p.integrator, 1.0 / p.steps_per_tc, statistics, budget);
   };
-  return with_growth_and_steps(run_column_on_plate(p, follow), p);
+  return with_growth_and_steps(run_column_on_plate(p, MotionBetween::steps, follow), p);
 }
 
 SimulationResult fixed_step_lattice_run_on_plate(const Parameters& p, ComputeBudget* budget) {
   const auto follow = [&](const Lattice<double>& lattice, const Plate& plate, LatticeStatistics& statistics) {
     return fixed_step_vibrated_lattice(lattice, plate, p.integrator, 1.0 / p.steps_per_tc, statistics, budget);
   };
-  return with_growth_and_steps(run_lattice_on_plate(p, follow), p);
+  return with_growth_and_steps(run_lattice_on_plate(p, MotionBetween::steps, follow), p);
 }
 
 void observe_fixed_step_on_plate(const Parameters& p, VibratedSamples& samples) {

@@ -309,7 +309,7 @@ Column<double> column_of(const Parameters& p) {
 SimulationResult simulate_vibrated_hard_spheres(const Parameters& p, ComputeBudget* budget) {
   const Column<double> column = column_of(p);
   const VibrationUnits units = vibration_units(p);
-  VibrationStatistics statistics(p, column, Plate::of(p, units), units);
+  VibrationStatistics statistics(p, column, Plate::of(p, units), units, MotionBetween::flights);
   VibratedHardSpheres spheres = spheres_of(p, column, budget);
   spheres.run(statistics);
   SimulationResult c;

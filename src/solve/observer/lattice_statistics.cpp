@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace sigmasweep {
 namespace {
@@ -30,20 +31,20 @@ constexpr double row_height = std::numbers::sqrt3 / 2.0;  // in lattice constant
 }  // namespace
 
 LatticeStatistics::LatticeStatistics(const Parameters& p, const Lattice<double>& lattice, const Plate& plate,
-                                     const VibrationUnits& units)
+                                     const VibrationUnits& units, MotionBetween motion)
     : plate_(plate),
       mass_(masses(lattice)),
       above_rest_(lattice.beads.gap * (1.0 + rows_below(lattice) * row_height)),
       averages_(p, plate, units, total(mass_),
                 lattice.largest * (0.5 + rows_below(lattice) * row_height) * units.length),
       q_(lattice.count()),
-      v_(lattice.count()) {
+      v_(lattice.count()),
+      motion_(motion) {
   const double all = total(mass_);
   for (double& m : mass_) m /= all;
 }
 
-void LatticeStatistics::take(double t) {
-  if (!averages_.measures()) return;
+void LatticeStatistics::take(double t, double share) {
   double height = plate_.height(t) + above_rest_, E_r = 0.0;
   Vec2<double> v_cm;
   for (std::size_t i = 0; i < mass_.size(); ++i) {
@@ -54,7 +55,12 @@ void LatticeStatistics::take(double t) {
     const Vec2<double> v = v_[i] - v_cm;
     E_r += 0.5 * mass_[i] * dot(v, v);
   }
-  averages_.add(height, E_r);
+  if (std::exchange(is_first_, false)) averages_.add_stroboscopic(height);
+  averages_.add(share, height, E_r);
+}
+
+Vibration LatticeStatistics::result() const {
+  return averages_.result(midpoint_error(longest_step_ > 0.0 ? plate_.period() / longest_step_ : samples));
 }
 
 }  // namespace sigmasweep

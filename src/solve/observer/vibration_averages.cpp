@@ -60,30 +60,30 @@ VibrationAverages::VibrationAverages(const Parameters& p, const Plate& plate, co
       periods_(p.periods),
       transient_(p.transient) {}
 
-void VibrationAverages::add(double height, double E_r) {
-  if (!measures()) return;
-  height_ += height;
-  if (taken_ == 0) stroboscopic_.push_back(height);
-  E_r_ += E_r;
+void VibrationAverages::add(double share, double height, double E_r) {
+  height_ += share * height;
+  E_r_ += share * E_r;
 }
+
+void VibrationAverages::add_stroboscopic(double height) { stroboscopic_.push_back(height); }
 
 void VibrationAverages::end_period(double energy, double in, double lost) {
   now_ = {energy, in, lost};
-  if (measures()) heights_.push_back(height_ / samples);
+  if (measures()) heights_.push_back(height_);
   height_ = 0.0;
-  taken_ = 0;
   ++period_;
   if (period_ == transient_) start_ = now_;
 }
 
-Vibration VibrationAverages::result() const {
+Vibration VibrationAverages::result(double integration_error) const {
   Vibration v;
   if (heights_.empty()) return v;
   const auto periods = static_cast<double>(heights_.size());
   const double speed2 = units_.speed() * units_.speed();
-  v.h_cm_excess = mean(heights_) * units_.length;
+  const double height = mean(heights_), of_integration = integration_error * (plate_.A0 + std::fabs(height));
+  v.h_cm_excess = height * units_.length;
   v.h_cm = rest_height_ + v.h_cm_excess;
-  v.h_cm_error = error_of_mean(heights_) * units_.length;
+  v.h_cm_error = std::fmax(error_of_mean(heights_), of_integration) * units_.length;
   v.E_r = E_r_ / count() * speed2;
   if (const std::size_t lag = repeats_after(stroboscopic_, plate_.A0); lag > 0)
     v.cm_period = static_cast<double>(lag) * plate_.period() * units_.time;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "assembly/ground.hpp"
@@ -9,25 +10,27 @@
 
 namespace sigmasweep {
 
-/// Averages of a vibrated column or lattice over the periods after the transient, from samples that are evenly spread
-/// over each period, and its energy balance. Solvers count time from the start of the plate's present period, so that
+/// What happens between two calls of an observer's until().
+enum class MotionBetween {
+  flights,   ///< of hard spheres
+  contacts,  ///< soft spheres move, smoothly
+  steps,     ///< a fixed step
+};
+
+/// Averages of a vibrated column or lattice over the time of the periods after the transient, and its energy balance.
+/// Solvers count time from the start of the plate's present period, so that
 /// the phase is as exact after 10,000 periods as in the first.
 class VibrationAverages {
  public:
-  static constexpr int samples = 256;  ///< per period
-
   /// In the solver's units, with the mean bead's mass as unit. `rest_height` is that of the centre of mass, m.
   VibrationAverages(const Parameters& parameters, const Plate& plate, const VibrationUnits& units, double total_mass,
                     double rest_height);
 
-  /// Calls take(t) for the times of samples up to and at `time`, within the period.
-  template <class Take>
-  void until(double time, Take&& take) {
-    for (; taken_ < samples && moment(taken_) <= time; ++taken_) take(moment(taken_));
-  }
-  /// Adds a sample, within until(): the height of the centre of mass above its height at rest, and the kinetic energy
-  /// relative to the centre of mass per mass.
-  void add(double height, double E_r);
+  /// Adds a place of a quadrature rule, which stands for this share of the period: the height of the centre of mass
+  /// above its height at rest, and the kinetic energy relative to the centre of mass per mass.
+  void add(double share, double height, double E_r);
+  /// The height at a phase that is the same in all periods.
+  void add_stroboscopic(double height);
   /// Ends a period; the next one starts at time 0. `energy` is the increase since the start of the kinetic energy (in
   /// the frame at rest), the potential energy in gravity and the elastic energy; `in` the work of the plate and `lost`
   /// the energy dissipated in contacts since the start.
@@ -36,14 +39,13 @@ class VibrationAverages {
   bool done() const { return period_ == periods_; }
   bool measures() const { return period_ >= transient_; }
 
-  /// Number of samples in the measured periods.
-  double count() const { return static_cast<double>(heights_.size()) * samples; }
-  /// The averages, without separations; NaN if no period was measured.
-  Vibration result() const;
+  /// Number of measured periods.
+  double count() const { return static_cast<double>(heights_.size()); }
+  /// The averages, without separations; NaN if no period was measured. `integration_error`: of the mean of a height, in
+  /// units of its scale. In periodic motion nothing else is left of h_cm_error.
+  Vibration result(double integration_error) const;
 
  private:
-  double moment(int sample) const { return plate_.period() * (sample + 0.5) / samples; }
-
   struct Books {
     double energy = 0.0, in = 0.0, lost = 0.0;
   };
@@ -52,11 +54,17 @@ class VibrationAverages {
   VibrationUnits units_;
   double total_mass_, rest_height_;  ///< in masses of the mean bead; m
   std::int64_t periods_, transient_, period_ = 0;
-  int taken_ = 0;
-  double height_ = 0.0;                         ///< sum of the heights of this period's samples
-  std::vector<double> heights_, stroboscopic_;  ///< for each period the mean height; the height at the first sample
-  double E_r_ = 0.0;                            ///< sum over all samples
+  double height_ = 0.0;                         ///< this period's mean so far
+  std::vector<double> heights_, stroboscopic_;  ///< of each period the mean, and one height
+  double E_r_ = 0.0;                            ///< sum of the means of all periods
   Books start_, now_;
 };
+
+/// Error of the mean of a height by the midpoint rule with so many places a period, over the height's amplitude: h^2/24
+/// times the second derivative.
+constexpr double midpoint_error(double places) {
+  const double width = 2.0 * std::numbers::pi / places;
+  return width * width / 24.0;
+}
 
 }  // namespace sigmasweep

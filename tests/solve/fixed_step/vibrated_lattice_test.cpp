@@ -42,7 +42,7 @@ Plate plate_of(double alpha = 3.0) {
 
 Vibration run(const Parameters& p, const Lattice<double>& lattice, const Plate& plate, Integrator integrator, double dt,
               LatticeOutcome<double>* outcome = nullptr) {
-  LatticeStatistics statistics(p, lattice, plate, units);
+  LatticeStatistics statistics(p, lattice, plate, units, MotionBetween::steps);
   const auto found = fixed_step_vibrated_lattice(lattice, plate, integrator, dt, statistics);
   EXPECT_EQ(found.status, Status::ok);
   EXPECT_EQ(found.end, End::periods);
@@ -66,7 +66,7 @@ TEST(VibratedLatticeFixedStep, HugeDiscsAreAColumn) {
       column.C *= 1.5;
       LatticeOutcome<double> outcome;
       const Vibration v = run(p, lattice, plate, integrator, 0.01, &outcome);
-      VibrationStatistics statistics(p, column, plate, units);
+      VibrationStatistics statistics(p, column, plate, units, MotionBetween::steps);
       const auto expected = fixed_step_vibrated_column(column, plate, integrator, 0.01, statistics);
       const Vibration w = statistics.result();
       // A few contacts a period, each of which takes rounding, 1e-9 for these diameters, further.

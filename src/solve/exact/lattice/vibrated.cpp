@@ -36,11 +36,12 @@ template LatticeOutcome<double> follow_lattice(const Lattice<double>&, const Pla
                                                VibratedLatticeSamples&);
 
 SimulationResult simulate_lattice_on_plate(const Parameters& p, ComputeBudget* budget) {
-  return run_lattice_on_plate(
-      p, [&](const Lattice<double>& lattice, const Plate& plate, LatticeStatistics& statistics) {
-        return follow_lattice(lattice, plate, accuracy_on(plate), limits_for(p, static_cast<double>(p.periods), budget),
-                              statistics);
-      });
+  return run_lattice_on_plate(p, MotionBetween::contacts,
+                              [&](const Lattice<double>& lattice, const Plate& plate, LatticeStatistics& statistics) {
+                                return follow_lattice(lattice, plate, accuracy_on(plate),
+                                                      limits_for(p, static_cast<double>(p.periods), budget),
+                                                      statistics);
+                              });
 }
 
 void observe_lattice_on_plate(const Parameters& p, VibratedLatticeSamples& samples) {

@@ -20,9 +20,10 @@ Outcome<double> follow(const Parameters& p, const Column<double>& column, const 
 }  // namespace
 
 SimulationResult simulate_exact_on_plate(const Parameters& p, ComputeBudget* budget) {
-  return run_column_on_plate(p, [&](const Column<double>& column, const Plate& plate, VibrationStatistics& statistics) {
-    return follow(p, column, plate, static_cast<double>(p.periods), statistics, budget);
-  });
+  return run_column_on_plate(p, MotionBetween::contacts,
+                             [&](const Column<double>& column, const Plate& plate, VibrationStatistics& statistics) {
+                               return follow(p, column, plate, static_cast<double>(p.periods), statistics, budget);
+                             });
 }
 
 void observe_exact_on_plate(const Parameters& p, VibratedSamples& samples) {
