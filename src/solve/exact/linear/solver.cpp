@@ -1,6 +1,7 @@
 #include "sigmasweep/model/law.hpp"
 #include "solve/cost_model.hpp"
 #include "solve/exact/linear/collision.hpp"
+#include "solve/exact/linear/many.hpp"
 #include "solve/exact/linear/vibrated.hpp"
 #include "solve/observer/film_duration.hpp"
 #include "solve/observer/record_column.hpp"
@@ -25,7 +26,7 @@ const Solver linear_column{
     .assembly = Assembly::column,
     .ground = GroundKind::wall,
     .accepts = accepts,
-    .run = simulate_exact,
+    .run = simulate_linear,
     .observe =
         [](const Parameters& p, std::span<const double> times) {
           return record_from_first_contact(p, times,
@@ -35,6 +36,7 @@ const Solver linear_column{
         },
     .predicted_seconds = [](const Parameters& p) { return cost::of_collision(p, event_costs); },
     .film_duration = film_of_column,
+    .run_many = simulate_linear_many,
 };
 
 const Solver linear_column_on_plate{

@@ -1,105 +1,124 @@
 #include "solve/exact/linear/side_by_side/batch.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <optional>
+#include <numeric>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "contact/linear_pair.hpp"
-#include "solve/exact/linear/side_by_side/advance.hpp"
-#include "solve/exact/linear/side_by_side/lane.hpp"
+#include "solve/exact/linear/side_by_side/lanes/advance.hpp"
+#include "solve/exact/linear/side_by_side/lanes/jump.hpp"
+#include "solve/exact/linear/side_by_side/packs.hpp"
 
 namespace sigmasweep {
 namespace {
 
 using namespace side_by_side;
 
-/// Tuples with equal N pass through W lanes: when one has come to an end the next takes its lane.
+/// Tuples with equal N pass through two packs of lanes: one that goes by jumps from contact to contact, for columns in
+/// which nothing disturbs a closed contact, and one that goes by steps. Queues before them keep both full.
 template <int W>
 class Batch {
  public:
-  Batch(std::span<const Parameters> parameters, std::span<SimulationResult> results)
-      : parameters_(parameters), results_(results), columns_(std::make_unique<Columns<W>>()) {
-    columns_->N = static_cast<int>(parameters[0].N);
-    for (int l = 0; l < W; ++l) refill(l);
-  }
+  Batch(std::span<const Parameters> parameters, std::span<SimulationResult> results,
+        std::span<const std::size_t> places)
+      : parameters_(parameters),
+        results_(results),
+        places_(places),
+        jumps_(static_cast<int>(parameters[places[0]].N)),
+        steps_(static_cast<int>(parameters[places[0]].N)) {}
 
   void run() {
-    while (busy_ > 0) {
-      for (int l = 0; l < W; ++l)
-        if (lanes_[l]) columns_->noise[l] = lanes_[l]->noise();
-      advance(*columns_);
-      for (int l = 0; l < W; ++l) {
-        if (!lanes_[l] || !(columns_->separated[l] || lanes_[l]->is_due(columns_->contacts[l]))) continue;
-        const LaneState state = taken_from(l);
-        if (!lanes_[l]->ends(state)) continue;
-        results_[tuple_[l]] = lanes_[l]->result(state);
-        lanes_[l].reset();
-        --busy_;
-        refill(l);
+    for (;;) {
+      while (next_ < places_.size() && (jumps_.present() < W && steps_.present() < W)) begin(places_[next_++]);
+      if (steps_.present() >= W || jumps_.present() == 0) {
+        if (steps_.present() == 0) return;
+        go_by_steps();
+      } else {
+        go_by_jumps();
       }
     }
   }
 
  private:
-  void refill(int l) {
-    columns_->active[l] = 0;
-    columns_->separated[l] = 0;
-    if (next_ == parameters_.size()) return;
-    tuple_[l] = next_++;
-    lanes_[l].emplace(parameters_[tuple_[l]]);
-    ++busy_;
-    Columns<W>& c = *columns_;
-    c.active[l] = -1;
-    c.spring[l] = lanes_[l]->spring();
-    c.dashpot[l] = lanes_[l]->dashpot();
-    c.wall_spring[l] = lanes_[l]->wall_spring();
-    c.wall_dashpot[l] = lanes_[l]->wall_dashpot();
-    c.clock[l] = c.wall_opened[l] = c.x_max[l] = 0.0;
-    c.contacts[l] = 0;
-    const LaneState start = lanes_[l]->start();
-    for (int k = 0; k < c.N; ++k) {
-      c.x[k][l] = start.x[k];
-      c.u[k][l] = start.u[k];
-      c.dx[k][l] = start.dx[k];
-      c.du[k][l] = start.du[k];
-      c.closed[k][l] = start.closed[k] ? -1 : 0;
+  void begin(std::size_t place) {
+    Lane lane(parameters_[place]);
+    const LaneState state = lane.start();
+    const bool by_jumps = lane.starts_by_jumps();
+    auto traveller = std::make_unique<Traveller>(Traveller{place, std::move(lane), state});
+    by_jumps ? jumps_.add(std::move(traveller)) : steps_.add(std::move(traveller));
+  }
+
+  void go_by_jumps() {
+    jumps_.prepare();
+    jump(jumps_.block());
+    for (int l = 0; l < W; ++l) {
+      Traveller* const traveller = jumps_.in_lane(l);
+      if (!traveller) continue;
+      const bool crowded = jumps_.block().crowded[l] != 0;
+      if (!crowded && !jumps_.block().separated[l] && !jumps_.wants_look(l)) continue;
+      LaneState state = jumps_.state(l);
+      traveller->lane.isolated().to_steps(state);
+      if (traveller->lane.ends(state)) {
+        finish(*jumps_.leave(l), state);
+      } else if (crowded) {
+        traveller->state = state;
+        steps_.add(jumps_.leave(l));
+      }
     }
   }
 
-  LaneState taken_from(int l) const {
-    const Columns<W>& c = *columns_;
-    LaneState s;
-    for (int k = 0; k < c.N; ++k) {
-      s.x[k] = c.x[k][l];
-      s.u[k] = c.u[k][l];
-      s.dx[k] = c.dx[k][l];
-      s.du[k] = c.du[k][l];
-      s.closed[k] = c.closed[k][l] != 0;
+  void go_by_steps() {
+    steps_.prepare();
+    advance(steps_.block());
+    for (int l = 0; l < W; ++l) {
+      Traveller* const traveller = steps_.in_lane(l);
+      if (!traveller) continue;
+      const bool may_jump = steps_.block().event[l] >= 0 && steps_.may_jump(l);
+      if (!may_jump && !steps_.block().separated[l] && !steps_.wants_look(l)) continue;
+      LaneState state = steps_.state(l);
+      if (traveller->lane.ends(state)) {
+        finish(*steps_.leave(l), state);
+      } else if (may_jump && traveller->lane.isolated().to_jumps(state)) {
+        traveller->state = state;
+        jumps_.add(steps_.leave(l));
+      }
     }
-    s.clock = c.clock[l];
-    s.wall_opened = c.wall_opened[l];
-    s.x_max = c.x_max[l];
-    s.contacts = c.contacts[l];
-    s.separated = c.separated[l] != 0;
-    return s;
+  }
+
+  void finish(Traveller& traveller, const LaneState& state) {
+    results_[traveller.place] = traveller.lane.result(state);
   }
 
   std::span<const Parameters> parameters_;
   std::span<SimulationResult> results_;
-  std::unique_ptr<Columns<W>> columns_;
-  std::array<std::optional<Lane>, W> lanes_;
-  std::array<std::size_t, W> tuple_{};
+  std::span<const std::size_t> places_;  ///< the tuples with this N, in the order in which they are computed
+  LanePack<W, Jumps> jumps_;
+  LanePack<W, Columns> steps_;
   std::size_t next_ = 0;
-  int busy_ = 0;
 };
+
+/// Like tuples beside each other take like numbers of steps, of like kinds.
+std::vector<std::size_t> sorted_places(std::span<const Parameters> parameters) {
+  std::vector<std::size_t> places(parameters.size());
+  std::iota(places.begin(), places.end(), std::size_t(0));
+  std::ranges::stable_sort(places, {}, [&](std::size_t i) {
+    const Parameters& p = parameters[i];
+    return std::tuple(p.N, p.sigma, p.epsilon);
+  });
+  return places;
+}
 
 template <int W>
 void run_all(std::span<const Parameters> parameters, std::span<SimulationResult> results) {
-  for (std::size_t first = 0, end = 0; first < parameters.size(); first = end) {
-    while (end < parameters.size() && parameters[end].N == parameters[first].N) ++end;
-    Batch<W>(parameters.subspan(first, end - first), results.subspan(first, end - first)).run();
+  const std::vector<std::size_t> places = sorted_places(parameters);
+  for (std::size_t first = 0, end = 0; first < places.size(); first = end) {
+    while (end < places.size() && parameters[places[end]].N == parameters[places[first]].N) ++end;
+    Batch<W>(parameters, results, std::span(places).subspan(first, end - first)).run();
   }
 }
 
@@ -107,6 +126,7 @@ void run_all(std::span<const Parameters> parameters, std::span<SimulationResult>
 
 bool goes_side_by_side(const Parameters& p) {
   if (p.N > most_beads || p.width != 0.0) return false;
+  if (p.K_over_m == 0.0 && p.epsilon > 1e-13) return true;  // 1 - (mu/omega0)^2 > 0.01, and more at the wall
   const Column<double> column = reduced_column<double>(p);
   return BinaryContact<double>(column.K, column.C, 2.0).oscillates() &&
          BinaryContact<double>(column.K_wall, column.C_wall, 1.0).oscillates();

@@ -13,9 +13,9 @@ namespace sigmasweep {
 /// Whether a column of the linear law at a fixed wall is taken: equal masses, N <= 31, and pairs that oscillate.
 bool goes_side_by_side(const Parameters& parameters);
 
-/// The results of tuples that are taken, with error bars. Status::event_limit: the tuple takes too many steps and must
-/// be computed in another way. Quickest if tuples with equal N stand together, and such of like sigma.
-/// `lanes`: 1, 4 or 8, which the processor must have instructions for; 0: the most that it has.
+/// The results of tuples that are taken, in any order, with error bars. Status::event_limit: the tuple takes too many
+/// steps and must be computed in another way. `lanes`: 1, 4 or 8, which the processor must have instructions for; 0:
+/// the most that it has.
 void simulate_side_by_side(std::span<const Parameters> parameters, std::span<SimulationResult> results, int lanes = 0);
 
 }  // namespace sigmasweep

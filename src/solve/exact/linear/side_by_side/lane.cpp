@@ -8,8 +8,7 @@
 
 #include "assembly/energy_balance.hpp"
 #include "base/random.hpp"
-#include "solve/exact/linear/side_by_side/motion.hpp"
-#include "solve/exact/linear/step_lengths.hpp"
+#include "solve/exact/linear/side_by_side/lanes/motion.hpp"
 #include "solve/to_si.hpp"
 
 namespace sigmasweep::side_by_side {
@@ -17,12 +16,7 @@ namespace {
 
 /// As for columns alone (exact/linear/collision.cpp): one disturbance is one random draw of what the true error is
 /// another draw of; and roundings that the disturbance does not know of.
-constexpr double safety = 16.0, last_roundings = 8.0, drift = 0.1;
-
-double longest_step(const Column<double>& column) {
-  const std::vector<std::uint8_t> closed(column.contacts(), 1);
-  return StepLengths<double, false>(column).longest(0, column.contacts() - 1, closed);
-}
+constexpr double safety = 16.0, last_roundings = 8.0, drift = 0.2;
 
 /// Equal columns have equal noise, whatever their units.
 std::uint64_t noise_key(const Column<double>& column) {
@@ -33,7 +27,8 @@ std::uint64_t noise_key(const Column<double>& column) {
   return key;
 }
 
-std::uint64_t looks_after(std::int64_t N) { return static_cast<std::uint64_t>(std::max<std::int64_t>(5, N / 8)); }
+/// Looks are as frequent as those at a column alone (SettleSchedule).
+std::uint64_t between_looks(std::int64_t N) { return static_cast<std::uint64_t>(std::max<std::int64_t>(5, N / 8)); }
 
 std::vector<double> velocities(const LaneState::Numbers& rates, std::size_t N, double step) {
   std::vector<double> v(N);
@@ -47,10 +42,11 @@ std::vector<double> velocities(const LaneState::Numbers& rates, std::size_t N, d
 Lane::Lane(const Parameters& parameters)
     : parameters_(parameters),
       column_(reduced_column<double>(parameters)),
-      step_(longest_step(column_)),
+      law_(law_of(parameters)),
       key_(noise_key(column_)),
       step_limit_(static_cast<std::uint64_t>(200 + 20 * parameters.N * parameters.N)),
-      next_look_(looks_after(parameters.N)),
+      between_looks_(between_looks(parameters.N)),
+      next_look_(between_looks_),
       settle_(1e-3 * parameters.tolerance),
       least_(std::numeric_limits<double>::infinity()) {}
 
@@ -58,10 +54,9 @@ LaneState Lane::start() const {
   LaneState s;
   const std::size_t N = column_.contacts();
   for (std::size_t k = 1; k < N; ++k) s.x[k] = -column_.initial_gap(k);
-  s.u[0] = column_.speed * step_;
-  std::size_t closed = 1;
-  s.closed[0] = 1;
-  while (closed < N && s.x[closed] == 0.0) s.closed[closed++] = 1;
+  s.N = static_cast<int>(N);
+  s.u[0] = column_.speed * law_->step;
+  for (std::size_t k = 0; k < N && s.x[k] == 0.0 && !starts_by_jumps(); ++k) s.closed[k] = 1;
   // The gaps are rounded numbers: all of them the same way, as sigma is, or each for itself.
   const double widest =
       column_.gaps.empty() ? column_.gap : *std::max_element(column_.gaps.begin(), column_.gaps.end());
@@ -73,32 +68,46 @@ LaneState Lane::start() const {
   return s;
 }
 
+bool Lane::starts_by_jumps() const { return column_.N == 1 || column_.initial_gap(1) > 0.0; }
+
 std::uint64_t Lane::noise() { return random_bits(key_, ++steps_); }
 
+/// If velocities approach by u, at least u^2/2 of |v|^2 <= N will be lost: sqrt(E/E_0) falls by u^2/(4 N) or more. A
+/// bar with more than the tolerance left to dissipate is of no use.
+bool Lane::wants_look(std::uint64_t contacts, double approach) {
+  if (steps_ >= step_limit_) return true;
+  const double u = approach / law_->step;
+  if (u * u <= parameters_.tolerance * 4.0 * static_cast<double>(column_.N)) return true;
+  next_look_ = (contacts / between_looks_ + 1) * between_looks_;
+  return false;
+}
+
 bool Lane::ends(const LaneState& state) {
-  if (state.separated || steps_ >= step_limit_) return true;
-  if (state.contacts < next_look_) return false;
-  next_look_ = state.contacts + looks_after(column_.N);
+  const bool over = state.separated || steps_ >= step_limit_;
+  // Nothing is left at the end: if it is time for a look, the column has settled.
+  const bool last_look = state.separated && state.contacts % between_looks_ == 0;
+  if (!is_due(state.contacts) && !last_look) return over;
+  next_look_ = (state.contacts / between_looks_ + 1) * between_looks_;
   const auto [disturbance, remaining] = balance(state);
   least_ = std::min(least_, safety * disturbance + remaining);
   settled_ = remaining < settle_;
-  return settled_;
+  return settled_ || over;
 }
 
 auto Lane::balance(const LaneState& state) const -> Balance {
   const std::size_t N = column_.contacts();
   const EnergyBalance<double> energy(column_, std::span(state.closed).first(N), std::span(state.x).first(N),
-                                     velocities(state.u, N, step_));
-  return {energy.change(std::span(state.dx).first(N), velocities(state.du, N, step_)), energy.remaining()};
+                                     velocities(state.u, N, law_->step));
+  return {energy.change(std::span(state.dx).first(N), velocities(state.du, N, law_->step)), energy.remaining()};
 }
 
 SimulationResult Lane::result(const LaneState& state) {
   Outcome<double> outcome;
-  outcome.velocity = velocities(state.u, column_.contacts(), step_);
-  outcome.t_k = state.wall_opened * step_;
+  outcome.velocity = velocities(state.u, column_.contacts(), law_->step);
+  outcome.t_k = state.wall_opened * law_->step;
   outcome.x_max = state.x_max;
   outcome.contacts = state.contacts;
-  outcome.end = state.separated ? End::separated : settled_ ? End::settled : End::none;
+  outcome.end = settled_ ? End::settled : state.separated ? End::separated : End::none;
   outcome.status = outcome.end == End::none ? Status::event_limit : Status::ok;
   SimulationResult c = to_si_result(outcome, parameters_);
   if (c.status != Status::ok) return c;

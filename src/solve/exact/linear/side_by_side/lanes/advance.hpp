@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solve/exact/linear/side_by_side/columns.hpp"
+#include "solve/exact/linear/side_by_side/lanes/columns.hpp"
 
 namespace sigmasweep::side_by_side {
 

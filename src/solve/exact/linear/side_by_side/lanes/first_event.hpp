@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solve/exact/linear/side_by_side/series.hpp"
-#include "solve/exact/linear/side_by_side/uncertain.hpp"
+#include "solve/exact/linear/side_by_side/lanes/series.hpp"
+#include "solve/exact/linear/side_by_side/lanes/uncertain.hpp"
 
 /// The first contact of each lane to change its state within the step. Contacts are ruled out by bounds; of those that
 /// cannot be, a lane's most promising one is followed by Newton's method, and a second bound proves that its root is
@@ -43,62 +43,71 @@ struct Scales {
   }
 };
 
-/// Contact k keeps its state as long as its distance stays positive: x while it is closed, -x while it is open; if x =
-/// 0 at the start, the distance over t. The Bernstein coefficients of that on [0, limit].
+/// Bounds of contact k: the Bernstein coefficients on [0, limit] of x, or of x/t if x = 0 at the start.
 template <int W>
-SIGMASWEEP_LANEWISE void distance(const Columns<W>& c, int k, const Scales<W>& scales, Pack<W> (&b)[screen + 1]) {
-  using P = Pack<W>;
-  const P start = P::load(c.a[k]);
-  const Mask<W> at_zero = start == P(0.0), open = ~Mask<W>::load(c.closed[k]);
-  P term = start;
+struct Bounds {
+  Pack<W> b[screen + 1], lowest, highest;
+
+  SIGMASWEEP_LANEWISE Bounds(const Columns<W>& c, int k, const Scales<W>& scales) {
+    const Pack<W> start = Pack<W>::load(c.a[k]);
+    const Mask<W> at_zero = start == Pack<W>(0.0);
+    Pack<W> term = start;
 #pragma GCC unroll 9
-  for (int p = 0; p <= screen; ++p) {
-    const P next = P::load(c.a[(p + 1) * c.N + k]);
-    b[p] = negated_where(open, select(at_zero, next, term) * scales.of[p]);
-    term = next;
+    for (int p = 0; p <= screen; ++p) {
+      const Pack<W> next = Pack<W>::load(c.a[(p + 1) * c.N + k]);
+      b[p] = select(at_zero, next, term) * scales.of[p];
+      term = next;
+    }
+    to_bernstein<W>(b);
+    lowest = highest = b[0];
+#pragma GCC unroll 8
+    for (int p = 1; p <= screen; ++p) {
+      lowest = least(b[p], lowest);
+      highest = most(b[p], highest);
+    }
   }
-  to_bernstein<W>(b);
-}
+  /// Contact k keeps its state as long as its distance from an event stays positive: x while it is closed, -x while it
+  /// is open.
+  SIGMASWEEP_LANEWISE Pack<W> distance(Mask<W> open) const { return select(open, Pack<W>(0.0) - highest, lowest); }
+};
 
 /// Where the control polygon first falls below 0, in 1/screen of the interval; if it does not, its first point that may
 /// hide a root.
 template <int W>
-SIGMASWEEP_LANEWISE Pack<W> first_fall(const Pack<W> (&b)[screen + 1], Pack<W> rest) {
+SIGMASWEEP_LANEWISE Pack<W> first_fall(const Bounds<W>& bounds, Mask<W> open, Pack<W> rest) {
   using P = Pack<W>;
   const P zero(0.0);
-  P place(0.0), above(1.0), below(-1.0), possible(0.0);
+  P place(0.0), above(1.0), below(-1.0), possible(0.0), b = negated_where(open, bounds.b[screen]);
   Mask<W> falls = Mask<W>::none();
 #pragma GCC unroll 8
   for (int p = screen; p > 0; --p) {
-    const Mask<W> negative = b[p] < zero;
+    const P before = negated_where(open, bounds.b[p - 1]);
+    const Mask<W> negative = b < zero;
     falls = falls | negative;
     place = select(negative, P(double(p - 1)), place);
-    above = select(negative, b[p - 1], above);
-    below = select(negative, b[p], below);
-    possible = select(b[p] > rest, possible, P(double(p)));
+    above = select(negative, before, above);
+    below = select(negative, b, below);
+    possible = select(b > rest, possible, P(double(p)));
+    b = before;
   }
-  const P fall = select(falls, place + above / (above - below), possible);
-  return where(b[0] > zero, fall);
+  return where(b > zero, select(falls, place + above / (above - below), possible)) * P(1.0 / screen);
 }
 
-/// Rules out, of the contacts, those that cannot change their state on [0, limit].
+/// Rules contact k out where it cannot change its state on [0, limit].
 template <int W>
 SIGMASWEEP_LANEWISE Mask<W> rule_out(Columns<W>& c, int k, Mask<W> suspects, const Scales<W>& scales, Pack<W> limit) {
   using P = Pack<W>;
-  P b[screen + 1];
-  distance<W>(c, k, scales, b);
+  const Mask<W> open = ~Mask<W>::load(c.closed[k]);
+  const Bounds<W> bounds(c, k, scales);
   const P rest = P::load(c.rest[k]) * scales.beyond;
-  P lowest = b[0];
-#pragma GCC unroll 8
-  for (int p = 1; p <= screen; ++p) lowest = least(b[p], lowest);
-  const Mask<W> suspect = suspects & ~(lowest > rest);
-  if (any(suspect)) (first_fall<W>(b, rest) * P(1.0 / screen) * limit).store(c.estimate[k]);
+  const Mask<W> suspect = suspects & ~(bounds.distance(open) > rest);
+  if (any(suspect)) (first_fall<W>(bounds, open, rest) * limit).store(c.estimate[k]);
   return suspect;
 }
 
-/// The same of the whole step, and bounds of the closed contacts' overlaps.
+/// Sum of the terms of contact k that the screen leaves out.
 template <int W>
-SIGMASWEEP_LANEWISE Mask<W> examine(Columns<W>& c, int k, const Scales<W>& scales, Mask<W> active) {
+SIGMASWEEP_LANEWISE Pack<W> left_out(const Columns<W>& c, int k) {
   using P = Pack<W>;
   P even(0.0), odd(0.0);
 #pragma GCC unroll 8
@@ -107,30 +116,34 @@ SIGMASWEEP_LANEWISE Mask<W> examine(Columns<W>& c, int k, const Scales<W>& scale
     odd = odd + magnitude(P::load(c.a[(p + 1) * c.N + k]));
   }
   const Mask<W> at_zero = P::load(c.a[k]) == P(0.0);
-  const P rest = ((even + odd) + magnitude(P::load(c.a[order * c.N + k]))) +
-                 where(~at_zero, magnitude(P::load(c.a[(screen + 1) * c.N + k])));
-  P b[screen + 1];
-  distance<W>(c, k, scales, b);
-  P lowest = b[0], highest = b[0];
-#pragma GCC unroll 8
-  for (int p = 1; p <= screen; ++p) {
-    lowest = least(b[p], lowest);
-    highest = most(b[p], highest);
-  }
-  rest.store(c.rest[k]);
-  (highest + rest).store(c.highest[k]);
-  const Mask<W> suspect = active & ~((lowest > rest) | ((rest == P(0.0)) & (lowest == rest)));
-  if (any(suspect)) (first_fall<W>(b, rest) * P(1.0 / screen)).store(c.estimate[k]);
-  return suspect;
+  return ((even + odd) + magnitude(P::load(c.a[order * c.N + k]))) +
+         where(~at_zero, magnitude(P::load(c.a[(screen + 1) * c.N + k])));
 }
 
-/// The distance of contact k of lane l from its event becomes the lane's candidate.
+/// Contact k stays open, flying uniformly: neither it nor a contact beside it is closed.
 template <int W>
-SIGMASWEEP_LANEWISE void take_candidate(Columns<W>& c, int k, int l) {
-  const int N = c.N, shift = c.a[k][l] == 0.0;
-  const double sign = c.closed[k][l] ? 1.0 : -1.0;
-  for (int p = 0; p + shift <= order; ++p) c.candidate[p][l] = sign * c.a[(p + shift) * N + k][l];
-  if (shift) c.candidate[order][l] = 0.0;
+SIGMASWEEP_LANEWISE Mask<W> flies_on(const Columns<W>& c, int k) {
+  using P = Pack<W>;
+  Mask<W> closed = Mask<W>::load(c.closed[k]);
+  if (k > 0) closed = closed | Mask<W>::load(c.closed[k - 1]);
+  if (k + 1 < c.N) closed = closed | Mask<W>::load(c.closed[k + 1]);
+  return ~closed & (P::load(c.x[k]) + P::load(c.u[k]) < P(0.0));
+}
+
+/// Rules contact k out where it cannot change its state within the step; bounds its overlap.
+template <int W>
+SIGMASWEEP_LANEWISE Mask<W> examine(Columns<W>& c, int k, const Scales<W>& scales, Mask<W> active) {
+  using P = Pack<W>;
+  const Mask<W> open = ~Mask<W>::load(c.closed[k]);
+  const P rest = left_out<W>(c, k);
+  const Bounds<W> bounds(c, k, scales);
+  rest.store(c.rest[k]);
+  (bounds.highest + rest).store(c.highest[k]);
+  const P distance = bounds.distance(open);
+  const Mask<W> safe = (distance > rest) | ((rest == P(0.0)) & (distance == rest)) | flies_on<W>(c, k);
+  const Mask<W> suspect = active & ~safe;
+  if (any(suspect)) first_fall<W>(bounds, open, rest).store(c.estimate[k]);
+  return suspect;
 }
 
 /// The root of the candidates near `t` by Newton's method, each lane until it has converged; -1 where it has not.
@@ -201,10 +214,22 @@ SIGMASWEEP_LANEWISE Mask<W> any_of(const Suspects<W>& suspects) {
   return some;
 }
 
-/// In each lane of `wanted` the suspect that seems to be first becomes the candidate and is no suspect any more.
+/// The distance of contact k from its event becomes the candidate of some lanes.
 template <int W>
-SIGMASWEEP_LANEWISE void take_candidates(Columns<W>& c, Suspects<W>& suspects, Mask<W> wanted, Pack<W>& contact,
-                                         Pack<W>& estimate) {
+SIGMASWEEP_LANEWISE void take_candidate(Columns<W>& c, int k, Mask<W> lanes) {
+  using P = Pack<W>;
+  const Mask<W> at_zero = P::load(c.a[k]) == P(0.0), open = ~Mask<W>::load(c.closed[k]);
+  P term = P::load(c.a[k]);
+  for (int p = 0; p <= order; ++p) {
+    const P next = p < order ? P::load(c.a[(p + 1) * c.N + k]) : P(0.0);
+    select(lanes, negated_where(open, select(at_zero, next, term)), P::load(c.candidate[p])).store(c.candidate[p]);
+    term = next;
+  }
+}
+
+/// In each lane the suspect that seems to be first becomes the candidate and is no suspect any more.
+template <int W>
+SIGMASWEEP_LANEWISE void take_candidates(Columns<W>& c, Suspects<W>& suspects, Pack<W>& contact, Pack<W>& estimate) {
   using P = Pack<W>;
   contact = P(0.0);
   estimate = P(9.0);
@@ -215,13 +240,12 @@ SIGMASWEEP_LANEWISE void take_candidates(Columns<W>& c, Suspects<W>& suspects, M
     contact = select(earlier, P(double(k)), contact);
     estimate = least(when, estimate);
   }
-  double contacts[W];
-  contact.store(contacts);
-  const unsigned lanes = lanes_of(wanted);
-  for (int l = 0; l < W; ++l)
-    if (lanes >> l & 1) take_candidate(c, int(contacts[l]), l);
-  for (int i = 0; i < suspects.count; ++i)
-    suspects.mask[i] = suspects.mask[i] & ~(contact == P(double(suspects.contact[i])));
+  for (int i = 0; i < suspects.count; ++i) {
+    const int k = suspects.contact[i];
+    const Mask<W> taken = suspects.mask[i] & (contact == P(double(k)));
+    suspects.mask[i] = suspects.mask[i] & ~taken;
+    if (any(taken)) take_candidate<W>(c, k, taken);
+  }
 }
 
 /// Sets length and event of the lanes of `active`.
@@ -231,13 +255,14 @@ SIGMASWEEP_LANEWISE void find_first_event(Columns<W>& c, Mask<W> active) {
   Suspects<W> suspects;
   {
     const Scales<W> whole{P(1.0)};
-    for (int k = 0; k < c.N; ++k) {
-      const Mask<W> suspect = examine<W>(c, k, whole, active);
-      suspect.store(c.suspect[k]);
-      if (!any(suspect)) continue;
-      suspects.contact[suspects.count] = k;
-      suspects.mask[suspects.count++] = suspect;
-    }
+    for (int r = 0; r < c.run_count; ++r)
+      for (int k = c.runs[r].first; k <= c.runs[r].last; ++k) {
+        const Mask<W> suspect = examine<W>(c, k, whole, active);
+        suspect.store(c.suspect[k]);
+        if (!any(suspect)) continue;
+        suspects.contact[suspects.count] = k;
+        suspects.mask[suspects.count++] = suspect;
+      }
   }
   P limit = where(active, P(1.0)), event(-1.0);
   Mask<W> uncertain = Mask<W>::none();
@@ -245,7 +270,7 @@ SIGMASWEEP_LANEWISE void find_first_event(Columns<W>& c, Mask<W> active) {
     const Mask<W> wanted = any_of(suspects) & ~uncertain;
     if (!any(wanted)) break;
     P contact, estimate;
-    take_candidates(c, suspects, wanted, contact, estimate);
+    take_candidates<W>(c, suspects, contact, estimate);
     const Mask<W> at_once = wanted & (P::load(c.candidate[0]) < P(0.0));
     const P t = select(at_once, P(0.0), root_near(c, estimate, wanted & ~at_once));
     const Mask<W> certain = at_once | (wanted & is_first(c, t, limit));

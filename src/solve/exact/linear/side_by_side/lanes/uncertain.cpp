@@ -1,9 +1,9 @@
-#include "solve/exact/linear/side_by_side/uncertain.hpp"
+#include "solve/exact/linear/side_by_side/lanes/uncertain.hpp"
 
 #include <algorithm>
 
 #include "numerics/first_root.hpp"
-#include "solve/exact/linear/side_by_side/columns.hpp"
+#include "solve/exact/linear/side_by_side/lanes/columns.hpp"
 
 namespace sigmasweep::side_by_side {
 

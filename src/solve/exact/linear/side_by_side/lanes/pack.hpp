@@ -91,6 +91,11 @@ template <int W>
 SIGMASWEEP_LANEWISE Pack<W> select(Mask<W> mask, Pack<W> a, Pack<W> b) {
   return Pack<W>::of(mask.v ? a.v : b.v);
 }
+/// The same of masks.
+template <int W>
+SIGMASWEEP_LANEWISE Mask<W> select_mask(Mask<W> mask, Mask<W> a, Mask<W> b) {
+  return (mask & a) | (~mask & b);
+}
 template <int W>
 SIGMASWEEP_LANEWISE typename Vectors<W>::Bits bits_of(Pack<W> a) {
   typename Vectors<W>::Bits bits;

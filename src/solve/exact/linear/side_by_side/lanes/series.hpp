@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solve/exact/linear/side_by_side/columns.hpp"
-#include "solve/exact/linear/side_by_side/pack.hpp"
+#include "solve/exact/linear/side_by_side/lanes/columns.hpp"
+#include "solve/exact/linear/side_by_side/lanes/pack.hpp"
 
 namespace sigmasweep::side_by_side {
 
@@ -19,8 +19,9 @@ inline constexpr Reciprocals one_over;
 ///     x_k'' = F_(k-1) - w F_k + F_(k+1),   w = 2, of the wall's contact 1,
 /// so that the terms p and p + 1 give term p + 2:
 ///     a_(p+2) = F_(k-1) - w F_k + F_(k+1),   F = K h^2/((p+1)(p+2)) a_p + C h/(p+2) a_(p+1).
+/// Of the contacts first..last, beside which all contacts are open.
 template <int W, int Order>
-SIGMASWEEP_LANEWISE void expand(const Columns<W>& c, double (*a)[W]) {
+SIGMASWEEP_LANEWISE void expand(const Columns<W>& c, double (*a)[W], int first, int last) {
   using P = Pack<W>;
   const int N = c.N;
   const P spring = P::load(c.spring), dashpot = P::load(c.dashpot);
@@ -33,9 +34,15 @@ SIGMASWEEP_LANEWISE void expand(const Columns<W>& c, double (*a)[W]) {
     const auto force = [&](int k, P stiffness, P damping) SIGMASWEEP_INLINE_LAMBDA {
       return where(Mask<W>::load(c.closed[k]), fma(stiffness, P::load(now[k]), damping * P::load(next[k])));
     };
-    P below(0.0), here = force(0, wall_spring * of_spring, wall_dashpot * of_dashpot), own = here;
-    for (int k = 0; k < N; ++k) {
-      const P above = k + 1 < N ? force(k + 1, K, C) : P(0.0);
+    P below(0.0), here, own;
+    if (first == 0) {
+      here = own = force(0, wall_spring * of_spring, wall_dashpot * of_dashpot);
+    } else {
+      here = force(first, K, C);
+      own = here + here;
+    }
+    for (int k = first; k <= last; ++k) {
+      const P above = k < last ? force(k + 1, K, C) : P(0.0);
       ((below + above) - own).store(result[k]);
       below = here;
       here = above;

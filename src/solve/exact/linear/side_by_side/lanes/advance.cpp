@@ -1,4 +1,4 @@
-#include "solve/exact/linear/side_by_side/advance.hpp"
+#include "solve/exact/linear/side_by_side/lanes/advance.hpp"
 
 namespace sigmasweep::side_by_side {
 

@@ -2,7 +2,7 @@
 
 #include <cfloat>
 
-#include "solve/exact/linear/side_by_side/series.hpp"
+#include "solve/exact/linear/side_by_side/lanes/series.hpp"
 
 namespace sigmasweep::side_by_side {
 
@@ -20,6 +20,7 @@ SIGMASWEEP_LANEWISE void change_contact(Columns<W>& c, int k, int l) {
   if (k + 1 < c.N) c.du[k + 1][l] += impulse;
   c.x[k][l] = 0.0;
   c.closed[k][l] = ~c.closed[k][l];
+  c.closed_bits[l] ^= std::uint64_t(1) << k;
   if (c.closed[k][l]) return;
   ++c.contacts[l];
   if (k == 0) c.wall_opened[l] = c.clock[l];
@@ -109,30 +110,59 @@ template <int W>
   largest.store(c.x_max);
 }
 
+/// Where contact k, which flies uniformly, gets within s, and the disturbance.
+template <int W>
+struct Flown {
+  Pack<W> x, u, dx, du;
+  Pack<W> of_x, of_u;  ///< the leading terms' size, with which rounding errors scale
+};
+template <int W>
+SIGMASWEEP_LANEWISE Flown<W> flown(const Columns<W>& c, int k, Pack<W> s) {
+  using P = Pack<W>;
+  const P x = P::load(c.x[k]), u = P::load(c.u[k]), du = P::load(c.du[k]);
+  return {fma(u, s, x), u, fma(du, s, P::load(c.dx[k])), du, magnitude(x) + magnitude(u) * s, magnitude(u)};
+}
+/// The same of a contact by its series.
+template <int W>
+SIGMASWEEP_LANEWISE Flown<W> flown_in_series(const Columns<W>& c, int k, Pack<W> s) {
+  using P = Pack<W>;
+  const int N = c.N;
+  const Jet<W> now = jet<W, order>(c.a, N, k, s), disturbance = jet<W, disturbed_order>(c.d, N, k, s);
+  const P s2 = s * s, u = magnitude(P::load(c.a[N + k])), a2 = magnitude(P::load(c.a[2 * N + k])),
+          a3 = magnitude(P::load(c.a[3 * N + k]));
+  const P of_x = (magnitude(P::load(c.a[k])) + u * s) + fma(a2, s2, a3 * (s2 * s));
+  return {now.x, now.slope, disturbance.x, disturbance.slope, of_x, fma(s, fma(P(2.0), a2, P(3.0) * (s * a3)), u)};
+}
+
+template <int W>
+SIGMASWEEP_LANEWISE void put_down(Columns<W>& c, int k, const Flown<W>& now, typename Vectors<W>::Bits words,
+                                  Mask<W> moves) {
+  using P = Pack<W>;
+  now.x.store(c.x[k]);
+  now.u.store(c.u[k]);
+  (now.dx + where(moves, signed_by<W>(words, 2 * k, P(rounding) * now.of_x))).store(c.dx[k]);
+  (now.du + where(moves, signed_by<W>(words, 2 * k + 1, P(rounding) * now.of_u))).store(c.du[k]);
+}
+
 /// All contacts to the end of the step.
 template <int W>
 SIGMASWEEP_LANEWISE void move(Columns<W>& c) {
   using P = Pack<W>;
-  const int N = c.N;
   const Mask<W> active = Mask<W>::load(c.active);
-  const P s = P::load(c.length), s2 = s * s;
+  const P s = P::load(c.length);
   const Mask<W> moves = active & (s > P(0.0));
   typename Vectors<W>::Bits words;
   __builtin_memcpy(&words, c.noise, sizeof words);
-  for (int k = 0; k < N; ++k) {
-    const Mask<W> deeper = active & Mask<W>::load(c.closed[k]) & (P::load(c.highest[k]) > P::load(c.x_max));
-    if (any(deeper)) look_for_deepest(c, k, s, deeper);
-    const Jet<W> now = jet<W, order>(c.a, N, k, s), disturbance = jet<W, disturbed_order>(c.d, N, k, s);
-    now.x.store(c.x[k]);
-    now.slope.store(c.u[k]);
-    // Rounding errors scale with the leading terms.
-    const P a1 = magnitude(P::load(c.a[N + k])) * s, a2 = magnitude(P::load(c.a[2 * N + k])) * s2,
-            a3 = magnitude(P::load(c.a[3 * N + k])) * (s2 * s);
-    const P of_x = (magnitude(P::load(c.a[k])) + a1) + (a2 + a3);
-    const P of_u = magnitude(P::load(c.a[N + k])) + s * fma(P(2.0), magnitude(P::load(c.a[2 * N + k])),
-                                                            P(3.0) * (s * magnitude(P::load(c.a[3 * N + k]))));
-    (disturbance.x + where(moves, signed_by<W>(words, 2 * k, P(rounding) * of_x))).store(c.dx[k]);
-    (disturbance.slope + where(moves, signed_by<W>(words, 2 * k + 1, P(rounding) * of_u))).store(c.du[k]);
+  int k = 0;
+  for (int r = 0; r <= c.run_count; ++r) {
+    const int first = r < c.run_count ? c.runs[r].first : c.N;
+    for (; k < first; ++k) put_down<W>(c, k, flown<W>(c, k, s), words, moves);
+    if (r == c.run_count) break;
+    for (; k <= c.runs[r].last; ++k) {
+      const Mask<W> deeper = active & Mask<W>::load(c.closed[k]) & (P::load(c.highest[k]) > P::load(c.x_max));
+      if (any(deeper)) look_for_deepest(c, k, s, deeper);
+      put_down<W>(c, k, flown_in_series<W>(c, k, s), words, moves);
+    }
   }
   (P::load(c.clock) + where(active, s)).store(c.clock);
 }

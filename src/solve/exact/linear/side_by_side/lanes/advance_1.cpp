@@ -1,5 +1,5 @@
-#include "solve/exact/linear/side_by_side/advance.hpp"
-#include "solve/exact/linear/side_by_side/advance_impl.hpp"
+#include "solve/exact/linear/side_by_side/lanes/advance.hpp"
+#include "solve/exact/linear/side_by_side/lanes/advance_impl.hpp"
 
 namespace sigmasweep::side_by_side {
 

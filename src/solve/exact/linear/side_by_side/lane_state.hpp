@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "solve/exact/linear/side_by_side/lanes/columns.hpp"
+
+namespace sigmasweep::side_by_side {
+
+/// The state of one column out of many: of contact k at [k]. Rates and the clock are in units of the step.
+struct LaneState {
+  using Numbers = std::array<double, most_beads>;
+  int N = 0;
+  Numbers x{}, u{}, dx{}, du{};
+  std::array<std::uint8_t, most_beads> closed{};  ///< as long as the column goes by steps
+  Numbers depth{};                                ///< these two as in Jumps, as long as it goes by jumps
+  double wall_opens = 0.0;
+  double clock = 0.0, wall_opened = 0.0, x_max = 0.0;
+  std::uint64_t contacts = 0;
+  bool separated = false;
+};
+
+}  // namespace sigmasweep::side_by_side

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "solve/exact/linear/side_by_side/lanes/columns.hpp"
+
+namespace sigmasweep::side_by_side {
+
+/// Every active column flies to its next contact, which closes and, at once, opens again; see jump_impl.hpp. Lanes that
+/// come to an end, or are crowded, are not active any more.
+void jump(Jumps<1>& columns);
+void jump(Jumps<4>& columns);
+void jump(Jumps<8>& columns);
+
+}  // namespace sigmasweep::side_by_side
