@@ -121,6 +121,8 @@ def measure(options):
         for code in codes:
             keep_least(cells, cells_of(code, groups))
             keep_least(processes, [process_of(code, groups)])
+    if not cells:
+        raise SystemExit(f"no method's name matches '{options.methods}'")
     return {"date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d"),
             "revision": first_line(["git", "describe", "--always", "--dirty"]), "processor": processor(), "core": core,
             "compiler": first_line(["c++", "--version"]), "load": os.getloadavg()[0], "rounds": options.rounds,
@@ -140,6 +142,10 @@ def arguments():
     parser.add_argument("--readme", nargs="?", type=pathlib.Path, const=ROOT, metavar="DIRECTORY",
                         help="also replaces the table in README.md and docs/peers.svg (of this checkout, or below DIRECTORY)")
     options = parser.parse_args()
+    try:
+        re.compile(options.methods)
+    except re.error as error:
+        parser.error(f"--methods {options.methods}: {error}")
     options.tuples = options.tuples or (8 if options.quick else 32)
     options.rounds = options.rounds or (2 if options.quick else 10)
     options.tuples_of_codes = min(options.tuples, 1 if options.quick else 4)
