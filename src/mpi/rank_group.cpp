@@ -24,6 +24,12 @@ std::uint64_t RankGroup::sum(std::uint64_t mine) const {
   return all;
 }
 
+std::uint64_t RankGroup::sum_before(std::uint64_t mine) const {
+  std::uint64_t before = 0;
+  check_mpi(MPI_Exscan(&mine, &before, 1, MPI_UINT64_T, MPI_SUM, comm_), "cannot add over the ranks");
+  return rank_ == 0 ? 0 : before;
+}
+
 std::uint64_t RankGroup::max(std::uint64_t mine) const {
   std::uint64_t all = 0;
   check_mpi(MPI_Allreduce(&mine, &all, 1, MPI_UINT64_T, MPI_MAX, comm_), "cannot compare over the ranks");

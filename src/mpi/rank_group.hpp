@@ -24,6 +24,8 @@ class RankGroup {
   int size() const { return size_; }
 
   std::uint64_t sum(std::uint64_t mine) const;
+  /// Of the ranks before this one.
+  std::uint64_t sum_before(std::uint64_t mine) const;
   std::uint64_t max(std::uint64_t mine) const;
   /// Rank 0's number or text, on every rank.
   std::uint64_t broadcast(std::uint64_t number) const { return sigmasweep::broadcast(comm_, number); }

@@ -107,6 +107,11 @@ World::Block World::block(std::uint64_t total) const {
   return block_of(total, static_cast<std::uint64_t>(rank()), static_cast<std::uint64_t>(size()));
 }
 
+void World::scatter(std::span<const std::byte> items, std::size_t item_size, std::uint64_t total,
+                    std::span<std::byte> mine) const {
+  scatter_bytes(items.data(), is_manager() ? MPI_IN_PLACE : mine.data(), item_size, total);
+}
+
 void World::scatter_bytes(const void* items, void* mine, std::size_t item_size, std::uint64_t total) const {
   const auto ranks = static_cast<std::uint64_t>(size());
   std::vector<int> counts, firsts;  // MPI-3 counts are int: 2^31 rows, far beyond the manager's memory

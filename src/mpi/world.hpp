@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -45,6 +46,11 @@ class World {
     scatter_bytes(items.data(), mine.data(), sizeof(Item), total);
     return mine;
   }
+
+  /// The same for items of `item_size` bytes: `mine` has room for this rank's block. The manager keeps its block, the
+  /// first, where it is, and has no `mine`. Collective.
+  void scatter(std::span<const std::byte> items, std::size_t item_size, std::uint64_t total,
+               std::span<std::byte> mine) const;
 
   /// How many ranks share a processor where it is worst; at least 1. Collective.
   double crowding() const;

@@ -101,7 +101,8 @@ int merge(const MergeOptions& options) {
   }
   TableInfo info = first.info;
   info.ranks = 0;
-  std::vector<Row> rows = ledger.rows();
+  std::vector<Row> rows;
+  for (std::uint64_t k = 0; k < sweep.size(); ++k) rows.push_back(ledger.row(k));
   std::uint64_t slices = 1;
   try {
     for (std::size_t i = 0; i < options.parts.size(); ++i) {

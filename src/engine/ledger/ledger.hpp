@@ -10,6 +10,7 @@
 #include "sigmasweep/model/row.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/journal/journal.hpp"
+#include "store/table/packed_rows.hpp"
 #include "store/table/read.hpp"
 #include "sweep/slice.hpp"
 
@@ -40,7 +41,7 @@ class Ledger {
   Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options);
 
   bool table_is_complete() const { return table_is_complete_; }
-  std::uint64_t missing() const { return rows_.size() - there_; }
+  std::uint64_t missing() const { return packed_.size() - there_; }
   void for_each_missing(const std::function<void(std::uint64_t row)>& visit) const;
   std::uint64_t kept() const { return kept_; }  ///< number of rows that were there from the start
   std::uint64_t taken() const {
@@ -48,10 +49,13 @@ class Ledger {
   }  ///< number of rows among them that were taken over from another sweep just now
   const std::vector<std::string>& remarks() const { return remarks_; }  ///< on rows that were not taken over
   std::uint64_t there() const { return there_; }
-  bool is_complete() const { return there_ == rows_.size(); }
-  const std::vector<Row>& rows() const { return rows_; }  ///< of the slice, in spec order; status not_run where missing
+  bool is_complete() const { return there_ == packed_.size(); }
+  /// The rows of the slice, in spec order; with Status::not_run where they are missing.
+  const PackedRows& packed() const { return packed_; }
+  /// The row at this place among them. Results that its table has no column for keep their defaults.
+  Row row(std::uint64_t place) const;
 
-  /// Enters rows that came in: into the journal, then into rows(). Sets their attempts. Throws IoError, and
+  /// Enters rows that came in: into the journal, then among the rows. Sets their attempts. Throws IoError, and
   /// std::runtime_error for a row of another sweep.
   void enter(std::span<Row> rows);
   bool has(std::uint64_t row) const;
@@ -70,23 +74,25 @@ class Ledger {
   };
   Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions& options, const std::vector<Source>& others);
   static std::vector<Source> sources(const LedgerOptions& options);
-  std::vector<Row> carry(const Sweep& sweep, const std::vector<Row>& old);
-  void take_journal(const Sweep& sweep);
-  void take_table(const Sweep& sweep, const std::string& path, bool begun, bool extend);
-  void take_rows(const Sweep& sweep, const Table& table, const std::string& path);
-  void take_over(const Sweep& sweep, const Source& source);
+  std::vector<Row> carry(const std::vector<Row>& old);
+  void take_from_journal(const Row& row);
+  void remark_on_journal();
+  void take_table(const std::string& path, bool begun, bool extend);
+  void take_rows(const Table& table, const std::string& path);
+  void take_over(const Source& source);
   void keep(const Row& row);
   void keep_or_retry(const Row& row);
 
+  Sweep sweep_;
   Slice slice_;
   bool retry_;
   std::uint64_t there_ = 0, kept_ = 0, taken_ = 0;
-  Journal journal_;  // as it opens it may take over rows already
-  std::vector<Row> rows_;
+  PackedRows packed_;
   std::vector<bool> have_;
-  std::vector<Row> new_;                            // kept, but in no journal yet
+  std::vector<std::uint64_t> new_;                  // places of rows that are kept, but in no journal yet
   std::map<std::uint64_t, std::int32_t> attempts_;  // of rows that were tried before and are not kept
   std::vector<std::string> remarks_;
+  Journal journal_;  // as it opens it gives its rows to the members above
   bool table_is_complete_ = false;
 };
 

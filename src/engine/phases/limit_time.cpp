@@ -41,7 +41,8 @@ std::optional<Deadline> limit_time(const World& world, const OpenSweep& open, st
   const double crowding = world.crowding();
   if (!world.is_manager()) return std::nullopt;
   Deadline deadline(stop.end(), crowding);
-  for (const Row& row : open.manager_rows()) deadline.learn(row.timing);
+  const RowSource rows = open.manager_rows();
+  for (std::uint64_t k = 0; k < rows.size(); ++k) deadline.learn(rows[k].timing);
   return deadline;
 }
 

@@ -24,9 +24,9 @@ void report_kept_rows(const Ledger& ledger, const std::string& table, std::uint6
 
 }  // namespace
 
-const std::vector<Row>& OpenSweep::manager_rows() const {
-  static const std::vector<Row> none;
-  return ledger ? ledger->rows() : none;
+RowSource OpenSweep::manager_rows() const {
+  if (!ledger) return {0, {}};
+  return {ledger->packed().size(), [this](std::uint64_t place) { return ledger->row(place); }};
 }
 
 OpenSweep open_sweep(const World& world, const RunOptions& options, const Reporter& reporter) {

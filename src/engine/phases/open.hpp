@@ -7,6 +7,7 @@
 
 #include "engine/ledger/ledger.hpp"
 #include "engine/report/reporter.hpp"
+#include "engine/report/row_source.hpp"
 #include "engine/run_options.hpp"
 #include "mpi/world.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
@@ -26,8 +27,8 @@ struct OpenSweep {
   bool table_is_complete = false;                        ///< the table has all rows already
 
   std::uint64_t rows() const { return slice.size(sweep.size()); }  ///< to be in the table
-  /// The manager's rows, in spec order; none on other ranks.
-  const std::vector<Row>& manager_rows() const;
+  /// The manager's rows, in spec order; none on other ranks. They are valid as long as this object.
+  RowSource manager_rows() const;
   /// How to go on with a run that was stopped.
   const char* restart_hint() const { return fresh ? "run it again without --fresh" : "run it again"; }
 };

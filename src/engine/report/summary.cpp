@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/functional/hash.hpp>
 #include <cmath>
-#include <iterator>
+#include <functional>
 #include <tuple>
 #include <vector>
 
@@ -34,8 +35,28 @@ auto kind(const Parameters& p) {
                     p.random_separation, p.seed, p.geometry, lattice_kind(p));
 }
 
-bool same_point(const Parameters& a, const Parameters& b) {
-  return kind(a) == kind(b) && b.sigma - a.sigma <= same_sigma * std::abs(b.sigma);
+/// A row with a result, by the hash of its kind.
+struct Point {
+  std::uint64_t kind;
+  double sigma;
+  std::uint64_t place;
+  bool operator<(const Point& other) const { return std::tie(kind, sigma) < std::tie(other.kind, other.sigma); }
+};
+
+bool same_point(const Point& a, const Point& b) {
+  return a.kind == b.kind && b.sigma - a.sigma <= same_sigma * std::abs(b.sigma);
+}
+
+std::vector<Point> sorted_points(const RowSource& rows) {
+  std::vector<Point> points;
+  points.reserve(rows.size());
+  for (std::uint64_t k = 0; k < rows.size(); ++k) {
+    const Row row = rows[k];
+    if (is_success(row.result.status) && std::isfinite(row.result.eps_eff))
+      points.push_back({boost::hash_value(kind(row.parameters)), row.parameters.sigma, k});
+  }
+  std::ranges::sort(points, std::less<>{});
+  return points;
 }
 
 auto scales(const Parameters& p) { return std::tuple(p.v0, p.tc, p.s0); }
@@ -46,7 +67,7 @@ double quantile(const std::vector<double>& values, double q) {
   return values[std::clamp<std::size_t>(rank, 1, values.size()) - 1];
 }
 
-std::string quantile_lines(std::span<const Row> rows) {
+std::string quantile_lines(const RowSource& rows) {
   std::string lines = fmt::format("  {:<15}{:>11}{:>11}{:>11}{:>11}\n", "", "median", "90 %", "99 %", "max");
   for (const auto& [name, values] : quantiles(rows)) {
     lines += fmt::format("  {:<15}", name);
@@ -57,13 +78,9 @@ std::string quantile_lines(std::span<const Row> rows) {
   return lines;
 }
 
-std::string by_status(std::span<const Row> rows) {
-  const auto names = names_of<Status>();
-  std::vector<std::uint64_t> counts(names.size());
-  for (const Row& row : rows) ++counts[static_cast<std::size_t>(row.result.status)];
+std::string by_status(const RowSource& rows) {
   std::string lines = fmt::format("{} row{}\n", rows.size(), rows.size() == 1 ? "" : "s");
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (counts[i] > 0) lines += fmt::format("  {:<17}{:>9}\n", names[i], counts[i]);
+  for (const auto& [name, count] : count_by_status(rows)) lines += fmt::format("  {:<17}{:>9}\n", name, count);
   return lines;
 }
 
@@ -84,44 +101,41 @@ std::string universal(const Universality& found) {
 
 }  // namespace
 
-Universality universality(std::span<const Row> rows) {
-  std::vector<const Row*> sorted;
-  for (const Row& row : rows)
-    if (is_success(row.result.status) && std::isfinite(row.result.eps_eff)) sorted.push_back(&row);
-  std::sort(sorted.begin(), sorted.end(), [](const Row* a, const Row* b) {
-    return std::tuple_cat(kind(a->parameters), std::tuple(a->parameters.sigma)) <
-           std::tuple_cat(kind(b->parameters), std::tuple(b->parameters.sigma));
-  });
+Universality universality(const RowSource& rows) {
+  const std::vector<Point> sorted = sorted_points(rows);
   Universality result;
   for (auto begin = sorted.begin(); begin != sorted.end();) {
     // Measured from the group's first row: groups cannot creep along a fine axis.
-    const auto end = std::find_if(begin, sorted.end(),
-                                  [&](const Row* row) { return !same_point((*begin)->parameters, row->parameters); });
-    const bool other_scales = std::any_of(
-        begin, end, [&](const Row* row) { return scales(row->parameters) != scales((*begin)->parameters); });
+    const auto end = std::find_if(begin, sorted.end(), [&](const Point& point) { return !same_point(*begin, point); });
+    const Row first = rows[begin->place];
+    double least = first.result.eps_eff, most = least;
+    bool other_scales = false;
+    for (auto point = begin + 1; point < end; ++point) {
+      const Row row = rows[point->place];
+      other_scales = other_scales || scales(row.parameters) != scales(first.parameters);
+      least = std::min(least, row.result.eps_eff);
+      most = std::max(most, row.result.eps_eff);
+    }
     if (other_scales) {
       ++result.groups;
-      const auto [least, most] = std::minmax_element(
-          begin, end, [](const Row* a, const Row* b) { return a->result.eps_eff < b->result.eps_eff; });
-      const double spread = (*most)->result.eps_eff - (*least)->result.eps_eff;
-      if (spread >= result.spread) result.spread = spread, result.sigma = (*begin)->parameters.sigma;
+      if (most - least >= result.spread) result.spread = most - least, result.sigma = begin->sigma;
     }
     begin = end;
   }
   return result;
 }
 
-std::vector<Quantiles> quantiles(std::span<const Row> rows) {
+std::vector<Quantiles> quantiles(const RowSource& rows) {
   std::array<std::vector<double>, 4> values;
-  for (const Row& row : rows) {
-    values[0].push_back(row.result.eps_eff_error);
-    values[1].push_back(row.result.vibration.h_cm_error);
-    values[2].push_back(std::abs(row.result.vibration.imbalance));
-    values[3].push_back(row.timing.run_time);
+  for (std::uint64_t k = 0; k < rows.size(); ++k) {
+    const Row row = rows[k];
+    const std::array of_row{row.result.eps_eff_error, row.result.vibration.h_cm_error,
+                            std::abs(row.result.vibration.imbalance), row.timing.run_time};
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!std::isnan(of_row[i])) values[i].push_back(of_row[i]);
   }
   std::vector<Quantiles> all;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    std::erase_if(values[i], [](double value) { return std::isnan(value); });
     if (values[i].empty()) continue;
     std::sort(values[i].begin(), values[i].end());
     static constexpr std::array names{"eps_eff_error", "h_cm_error", "|imbalance|", "run_time"};
@@ -132,6 +146,14 @@ std::vector<Quantiles> quantiles(std::span<const Row> rows) {
   return all;
 }
 
+std::vector<std::pair<std::string_view, std::uint64_t>> count_by_status(const RowSource& rows) {
+  std::vector<std::pair<std::string_view, std::uint64_t>> counts;
+  for (const std::string_view name : names_of<Status>()) counts.emplace_back(name, 0);
+  for (std::uint64_t k = 0; k < rows.size(); ++k) ++counts.at(static_cast<std::size_t>(rows[k].result.status)).second;
+  std::erase_if(counts, [](const auto& count) { return count.second == 0; });
+  return counts;
+}
+
 double least_seconds(const Work& work, int ranks) { return std::max(work.cpu_seconds / ranks, work.longest_seconds); }
 
 void Work::add(const Row& row) {
@@ -140,13 +162,13 @@ void Work::add(const Row& row) {
   longest_seconds = std::max(longest_seconds, row.timing.run_time);
 }
 
-std::string summary(std::span<const Row> rows, const Work& work, int ranks, double wall_seconds) {
+std::string summary(const RowSource& rows, const Work& work, int ranks, double wall_seconds) {
   return by_status(rows) + quantile_lines(rows) + makespan(work, ranks, wall_seconds) + universal(universality(rows));
 }
 
-std::string summary(std::span<const Row> rows, int ranks, double wall_seconds) {
+std::string summary(const RowSource& rows, int ranks, double wall_seconds) {
   Work work;
-  for (const Row& row : rows) work.add(row);
+  for (std::uint64_t k = 0; k < rows.size(); ++k) work.add(rows[k]);
   return summary(rows, work, ranks, wall_seconds);
 }
 

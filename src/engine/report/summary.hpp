@@ -2,11 +2,12 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "sigmasweep/model/row.hpp"
+#include "engine/report/row_source.hpp"
 
 namespace sigmasweep {
 
@@ -18,7 +19,7 @@ struct Universality {
   double sigma = 0.0;        ///< where
   std::uint64_t groups = 0;  ///< groups of at least two rows
 };
-Universality universality(std::span<const Row> rows);
+Universality universality(const RowSource& rows);
 
 /// The computing that was done in one run (a run that goes on with an earlier one computes only some of the rows).
 struct Work {
@@ -34,7 +35,10 @@ struct Quantiles {
   std::array<double, 4> values{};
 };
 /// Of eps_eff_error, h_cm_error, |imbalance| and run_time (s), where rows have them.
-std::vector<Quantiles> quantiles(std::span<const Row> rows);
+std::vector<Quantiles> quantiles(const RowSource& rows);
+
+/// How many rows have each status, of those that occur, in the order of their numbers.
+std::vector<std::pair<std::string_view, std::uint64_t>> count_by_status(const RowSource& rows);
 
 /// max(sum/ranks, longest), s: no schedule of the work ends earlier.
 double least_seconds(const Work& work, int ranks);
@@ -42,8 +46,8 @@ double least_seconds(const Work& work, int ranks);
 /// The text at the end of a sweep: rows by status, quantiles of error and run time, makespan against its lower bound
 /// max(sum/ranks, longest), universality. `wall_seconds` is the time that the computing of `work` took on `ranks`
 /// ranks, 0 when nothing was computed.
-std::string summary(std::span<const Row> rows, const Work& work, int ranks, double wall_seconds);
+std::string summary(const RowSource& rows, const Work& work, int ranks, double wall_seconds);
 /// The same when all rows were computed in that time.
-std::string summary(std::span<const Row> rows, int ranks, double wall_seconds);
+std::string summary(const RowSource& rows, int ranks, double wall_seconds);
 
 }  // namespace sigmasweep

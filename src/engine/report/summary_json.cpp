@@ -4,14 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/exit_codes.hpp"
-#include "store/rows/json.hpp"
 
 namespace sigmasweep {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json quantiles_json(std::span<const Row> rows) {
+Json quantiles_json(const RowSource& rows) {
   Json all = Json::object();
   for (const auto& [name, values] : quantiles(rows))
     all[name] = {{"median", values[0]}, {"90%", values[1]}, {"99%", values[2]}, {"max", values[3]}};
@@ -27,6 +26,12 @@ Json work_json(const RunEnd& end) {
           {"best_possible_seconds", least_seconds(end.work, end.ranks)}};
 }
 
+Json statuses_json(const RowSource& rows) {
+  Json counts = Json::object();
+  for (const auto& [name, count] : count_by_status(rows)) counts[std::string(name)] = count;
+  return counts;
+}
+
 Json universality_json(const Universality& found) {
   if (found.groups == 0) return nullptr;
   return {{"spread", found.spread}, {"sigma", found.sigma}, {"groups", found.groups}};
@@ -34,13 +39,13 @@ Json universality_json(const Universality& found) {
 
 }  // namespace
 
-std::string summary_json(std::span<const Row> rows, const RunEnd& end) {
+std::string summary_json(const RowSource& rows, const RunEnd& end) {
   const Json document = {{"table", end.table},
                          {"state", end.exit_code == exit_code::stopped ? "stopped" : "complete"},
                          {"exit_code", end.exit_code},
                          {"rows", end.total},
                          {"done", rows.size()},
-                         {"by_status", counts_by_status(rows)},
+                         {"by_status", statuses_json(rows)},
                          {"computed", work_json(end)},
                          {"quantiles", quantiles_json(rows)},
                          {"universality", universality_json(universality(rows))}};

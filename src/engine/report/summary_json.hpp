@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 
 #include "engine/report/summary.hpp"
@@ -20,6 +19,6 @@ struct RunEnd {
 
 /// The summary() as a JSON document. The names are those of `sigmasweep status --json` where they mean the same. `rows`
 /// are the rows that are there.
-std::string summary_json(std::span<const Row> rows, const RunEnd& end);
+std::string summary_json(const RowSource& rows, const RunEnd& end);
 
 }  // namespace sigmasweep

@@ -74,14 +74,11 @@ double duration_of(const TrajectorySpec& spec, const Row& row) {
 
 /// The rows whose trajectories are wanted, ordered for World::scatter(), so that rank r gets every size-th row from r
 /// on.
-std::vector<Row> rows_by_rank(const Sweep& sweep, const std::vector<Row>& rows, int ranks) {
+std::vector<Row> rows_by_rank(const Sweep& sweep, const RowSource& rows, int ranks) {
   std::vector<Row> chosen, by_rank;
   for (const std::uint64_t row : sweep.trajectory()->rows) {
-    const Parameters parameters = sweep.at(row);  // a table that was read back has only those that are columns
-    if (!std::isfinite(show_time(parameters, rows[row].result))) continue;  // no result, no trajectory
-    chosen.push_back(rows[row]);
-    chosen.back().index = row;
-    chosen.back().parameters = parameters;
+    const Row done = rows[row];
+    if (std::isfinite(show_time(done.parameters, done.result))) chosen.push_back(done);  // no result, no trajectory
   }
   for (std::size_t rank = 0; rank < static_cast<std::size_t>(ranks); ++rank)
     for (std::size_t k = rank; k < chosen.size(); k += static_cast<std::size_t>(ranks)) by_rank.push_back(chosen[k]);
@@ -125,7 +122,7 @@ void require_own_trajectories(const Sweep& sweep, const std::string& table, bool
 }
 
 TrajectoryCount write_trajectories(const World& world, const Sweep& sweep, const std::string& table,
-                                   const std::vector<Row>& rows, const StopRequest& stop) {
+                                   const RowSource& rows, const StopRequest& stop) {
   const auto comm = world.comm();
   std::vector<Row> all;
   const std::uint64_t wanted = run_collective(comm, [&] {

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
+#include "engine/report/row_source.hpp"
 #include "engine/stop/stop.hpp"
 #include "mpi/world.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
@@ -29,6 +29,6 @@ struct TrajectoryCount {
 /// which share the work. Ends early when a rank is asked to stop; files that are written stay. Throws OutputError for a
 /// file that is there and is not the trajectory of its row. All ranks throw the same error.
 TrajectoryCount write_trajectories(const World& world, const Sweep& sweep, const std::string& table,
-                                   const std::vector<Row>& rows, const StopRequest& stop);
+                                   const RowSource& rows, const StopRequest& stop);
 
 }  // namespace sigmasweep

@@ -29,7 +29,7 @@ constexpr std::size_t rows_at_a_time = 4096;  // of a journal that is made
 
 struct Journal::Impl {
   Impl(const std::string& table_path, const JournalIdentity& identity_, bool fresh, const Carry& carry,
-       const TableInfo& info)
+       const TableInfo& info, const Visit& visit)
       : lock(table_path),
         path(beside(table_path, ".journal")),
         identity(identity_),
@@ -37,18 +37,18 @@ struct Journal::Impl {
         header(make_header(identity_, description)),
         codec(header) {
     if (fresh)
-      create({});
+      create(0, {});
     else
-      open_existing(carry);
+      open_existing(carry, visit);
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl() = default;
 
-  void open_existing(const Carry& carry);
-  void create(const std::vector<Row>& rows);
-  void recover(const JournalHeader& found);
-  bool replace(const JournalHeader& old, const Carry& carry);
+  void open_existing(const Carry& carry, const Visit& visit);
+  void create(std::uint64_t count, const RowOf& row);
+  void create(const std::vector<Row>& rows, const Visit& visit);
+  bool replace(const JournalHeader& old, const Carry& carry, const Visit& visit);
   int write(int fd, std::span<const Row> rows);
   void cut_behind_last_whole_record();
   void check() const;
@@ -68,11 +68,10 @@ struct Journal::Impl {
   std::vector<std::byte> buffer;            // the records of one write
   std::uint64_t records = 0;                // in the file, damaged ones included
   std::string failure;                      // why nothing can be written any more
-  std::vector<Row> recovered;
   std::uint64_t dropped = 0;
 };
 
-void Journal::Impl::open_existing(const Carry& carry) {
+void Journal::Impl::open_existing(const Carry& carry, const Visit& visit) {
   file = File(path, O_RDWR | O_NOFOLLOW | O_NONBLOCK);
   if (!file.is_open() && errno == ENOENT) return;
   if (!file.is_open() && errno == ELOOP) require_plain(path);
@@ -85,42 +84,45 @@ void Journal::Impl::open_existing(const Carry& carry) {
   const std::string why = why_unusable(found, size, identity);
   const bool same_but_for_the_sweep =
       why_unusable(found, size, {found.spec_hash, identity.physics_version, found.rows}).empty();
-  if (!why.empty() && carry && same_but_for_the_sweep && replace(found, carry)) return;
+  if (!why.empty() && carry && same_but_for_the_sweep && replace(found, carry, visit)) return;
   if (!why.empty())
     throw OutputError(fmt::format(
         "{} {}. {}tart the sweep again with --fresh, which replaces it, or choose another "
         "output with -o",
         path, why, same_but_for_the_sweep ? "Go on with --extend, which keeps the rows that are the same, s" : "S"));
-  recover(found);
-  if (!read_description(file, path, found)) return create(recovered);  // damaged: the rows are not
+  if (!read_description(file, path, found)) return create(recover_rows(file, path, found), visit);  // damaged
+  const RecoveredRecords recovered = recover_records(file, path, found, visit);
+  records = recovered.records;
+  dropped = recovered.dropped;
   header = found;
   codec = RecordCodec(header);
   if (::ftruncate(file.fd(), static_cast<off_t>(end())) != 0) fail("cut the torn end of", errno);
 }
 
 /// Returns false, and leaves everything as it was, where carry() refuses.
-bool Journal::Impl::replace(const JournalHeader& old, const Carry& carry) {
+bool Journal::Impl::replace(const JournalHeader& old, const Carry& carry, const Visit& visit) {
   const auto text = read_description(file, path, old);
-  recover(old);
-  auto taken = carry(recovered, text ? parse_description(*text) : std::nullopt);
-  if (!taken) return false;
-  recovered = *std::move(taken);
-  dropped = 0;
-  create(recovered);
-  return true;
+  const auto taken = carry(recover_rows(file, path, old), text ? parse_description(*text) : std::nullopt);
+  if (taken) create(*taken, visit);
+  return taken.has_value();
+}
+
+void Journal::Impl::create(const std::vector<Row>& rows, const Visit& visit) {
+  create(rows.size(), [&](std::uint64_t k) { return rows[k]; });
+  std::ranges::for_each(rows, visit);
 }
 
 /// Makes a journal that begins with these rows. It appears complete: a journal always has a whole header.
-void Journal::Impl::create(const std::vector<Row>& rows) {
+void Journal::Impl::create(std::uint64_t count, const RowOf& row) {
   require_plain(path);
   AtomicFile made(path);
   records = 0;
   int error = write_at(made.fd(), std::as_bytes(std::span(&header, 1)), 0);
   if (error == 0) error = write_at(made.fd(), std::as_bytes(std::span(description)), sizeof header);
-  for (std::span<const Row> left(rows); error == 0 && !left.empty();) {
-    const auto some = left.first(std::min(left.size(), rows_at_a_time));
-    error = write(made.fd(), some);
-    left = left.subspan(some.size());
+  std::vector<Row> some;
+  for (std::uint64_t k = 0; error == 0 && k < count; ++k) {
+    some.push_back(row(k));
+    if (some.size() == rows_at_a_time || k + 1 == count) error = write(made.fd(), std::exchange(some, {}));
   }
   if (error == 0) error = made.sync();
   if (error == 0) error = made.rename();
@@ -157,17 +159,9 @@ void Journal::Impl::check() const {
     throw IoError(fmt::format("cannot sync {}: {}", path, reason(syncing->failure())));
 }
 
-/// Sets `records` to one past the last good record.
-void Journal::Impl::recover(const JournalHeader& found) {
-  RecoveredRows all = recover_rows(file, path, found);
-  recovered = std::move(all.rows);
-  records = all.records;
-  dropped = all.dropped;
-}
-
 Journal::Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry,
-                 const TableInfo& info)
-    : impl_(std::make_unique<Impl>(table_path, identity, fresh, carry, info)) {}
+                 const TableInfo& info, const Visit& visit)
+    : impl_(std::make_unique<Impl>(table_path, identity, fresh, carry, info, visit)) {}
 
 Journal::~Journal() = default;
 Journal::Journal(Journal&&) noexcept = default;
@@ -176,19 +170,21 @@ Journal& Journal::operator=(Journal&&) noexcept = default;
 bool Journal::is_locked_by_file() const { return impl_->lock.is_by_owner_file(); }
 bool Journal::is_there() const { return impl_->file.is_open(); }
 
-void Journal::begin(const std::vector<Row>& rows) {
-  if (!is_there()) return impl_->create(rows);
-  append(rows);
+void Journal::begin(std::uint64_t count, const RowOf& row) {
+  if (!is_there()) return impl_->create(count, row);
+  for (std::uint64_t k = 0; k < count; ++k) append(row(k));
 }
 
-const std::vector<Row>& Journal::recovered() const { return impl_->recovered; }
+std::vector<Row> Journal::recovered() const {
+  return is_there() ? recover_rows(impl_->file, impl_->path, impl_->header) : std::vector<Row>();
+}
 std::uint64_t Journal::dropped() const { return impl_->dropped; }
 
 void Journal::append(std::span<const Row> rows) {
   Impl& j = *impl_;
   j.check();
   if (rows.empty()) return;
-  if (!is_there()) j.create({});
+  if (!is_there()) j.create(0, {});
   if (!j.syncing) j.syncing = std::make_unique<BackgroundSync>(j.file.fd());
   const int error = j.write(j.file.fd(), rows);
   j.syncing->wrote();

@@ -43,8 +43,14 @@ class Journal {
   /// A journal that is made begins with `info`, for those who read it without the spec (read_journal()).
   using Carry = std::function<std::optional<std::vector<Row>>(const std::vector<Row>& old,
                                                               const std::optional<TableInfo>& theirs)>;
-  Journal(const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry = {},
-          const TableInfo& info = {});
+  ///
+  /// Each good record that is there is handed to `visit`, in the order in which they were written: of several records
+  /// of an index the last one counts. Every index is below the identity's rows. The caller must compare the parameters
+  /// of a row with those of the spec.
+  using Visit = std::function<void(const Row&)>;
+  Journal(
+      const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry = {},
+      const TableInfo& info = {}, const Visit& visit = [](const Row&) {});
   /// Syncs if possible, without an error if not, and releases the lock.
   ~Journal();
   Journal(Journal&&) noexcept;
@@ -54,12 +60,12 @@ class Journal {
   bool is_locked_by_file() const;
   /// Whether there is a file. An empty journal belongs to a run that was begun.
   bool is_there() const;
-  /// Makes a journal of these rows, or appends them to the journal that is there. Throws OutputError, IoError.
-  void begin(const std::vector<Row>& rows);
+  /// Makes a journal of `count` rows, or appends them to the journal that is there. Throws OutputError, IoError.
+  using RowOf = std::function<Row(std::uint64_t k)>;
+  void begin(std::uint64_t count, const RowOf& row);
 
-  /// Rows found when it was opened, each index once (the last good record), in order of index. Every index is below
-  /// the identity's rows. The caller must compare the parameters of a row with those of the spec.
-  const std::vector<Row>& recovered() const;
+  /// The rows that are in the file, each index once (the last good record), in order of index. It is read again.
+  std::vector<Row> recovered() const;
   /// Number of records that were found damaged or torn when it was opened. Their rows must be computed again.
   std::uint64_t dropped() const;
 

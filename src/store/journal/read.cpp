@@ -39,7 +39,7 @@ std::optional<JournalledRows> read_journal(const std::string& table_path) {
   JournalledRows found;
   found.total = info->slice.size(header.rows);
   found.info = std::move(*info);
-  found.rows = recover_rows(file, path, header).rows;
+  found.rows = recover_rows(file, path, header);
   return found;
 }
 

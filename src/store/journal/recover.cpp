@@ -17,10 +17,11 @@ void keep_last_of_each_index(std::vector<Row>& rows) {
 
 }  // namespace
 
-RecoveredRows recover_rows(const File& file, const std::string& path, const JournalHeader& header) {
+RecoveredRecords recover_records(const File& file, const std::string& path, const JournalHeader& header,
+                                 const std::function<void(const Row&)>& visit) {
   const RecordCodec codec(header);
   const std::size_t record_size = codec.size();
-  RecoveredRows recovered;
+  RecoveredRecords recovered;
   std::vector<std::byte> chunk(4096 * record_size);
   std::uint64_t number = 0;  // of the record in the file
   std::size_t got = 0;
@@ -29,7 +30,7 @@ RecoveredRows recover_rows(const File& file, const std::string& path, const Jour
     const std::size_t whole = got / record_size;
     for (std::size_t i = 0; i < whole; ++i, ++number) {
       if (const auto row = codec.decode(chunk.data() + i * record_size, number)) {
-        recovered.rows.push_back(*row);
+        visit(*row);
         recovered.records = number + 1;
       } else {
         ++recovered.dropped;
@@ -37,8 +38,14 @@ RecoveredRows recover_rows(const File& file, const std::string& path, const Jour
     }
     if (got % record_size != 0) ++recovered.dropped;
   } while (got == chunk.size());
-  keep_last_of_each_index(recovered.rows);
   return recovered;
+}
+
+std::vector<Row> recover_rows(const File& file, const std::string& path, const JournalHeader& header) {
+  std::vector<Row> rows;
+  recover_records(file, path, header, [&](const Row& row) { rows.push_back(row); });
+  keep_last_of_each_index(rows);
+  return rows;
 }
 
 }  // namespace sigmasweep

@@ -72,27 +72,15 @@ Handle memory_space(std::uint64_t rows) {
   return space;
 }
 
-std::uint64_t checksum_of(const Section& section, const Block& block) {
-  const std::size_t row_size = packed_size(section.fields);
-  std::vector<std::byte> bytes(row_size);
-  std::uint64_t sum = 0;
-  for (std::uint64_t k = 0; k < block.rows.size(); ++k) {
-    pack(section.fields, block.rows[k], bytes.data());
-    sum += checksum_of_rows(bytes, row_size, block.first + k);
-  }
-  return sum;
-}
-
-/// Writes the rows of all ranks in one collective write, or in a few if there are very many.
-void write_dataset(const RankGroup& group, hid_t dataset, const Section& section, Block block) {
+/// Writes the rows of all ranks, `bytes` of this one, in one collective write, or in a few if there are very many.
+void write_dataset(const RankGroup& group, hid_t dataset, const Section& section, std::uint64_t first,
+                   std::span<const std::byte> bytes) {
   const std::string what = "cannot write dataset " + section.name;
   const std::size_t row_size = packed_size(section.fields);
-  const std::uint64_t at_a_time = rows_per_transfer(section);
-  const std::uint64_t transfers = group.max((block.rows.size() + at_a_time - 1) / at_a_time);
-  std::vector<std::byte> buffer;
+  const std::uint64_t at_a_time = rows_per_transfer(section) * row_size;
+  const std::uint64_t transfers = group.max((bytes.size() + at_a_time - 1) / at_a_time);
   Handle transfer, type;
   group.run_collective([&] {
-    buffer.resize(row_size * std::clamp<std::uint64_t>(block.rows.size(), 1, at_a_time));
     transfer = property_list(H5P_DATASET_XFER);
     check(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE), what);
     // All ranks call, but each writes its own contiguous bytes itself: nothing to gain from passing them on between
@@ -100,17 +88,20 @@ void write_dataset(const RankGroup& group, hid_t dataset, const Section& section
     check(H5Pset_dxpl_mpio_collective_opt(transfer, H5FD_MPIO_INDIVIDUAL_IO), what);
     type = packed_type(section.fields);
   });
+  constexpr std::byte none{};  // for a rank without rows
   for (std::uint64_t i = 0; i < transfers; ++i) {
-    const auto rows = block.rows.subspan(0, std::min<std::uint64_t>(at_a_time, block.rows.size()));
+    const auto some = bytes.first(std::min<std::uint64_t>(at_a_time, bytes.size()));
+    const std::uint64_t rows = some.size() / row_size;
     Handle in_memory, in_file;
     group.run_collective(
         [&] {  // apart from the write: a rank that fails alone here must not leave the others waiting there
-          for (std::size_t k = 0; k < rows.size(); ++k) pack(section.fields, rows[k], buffer.data() + k * row_size);
-          in_memory = memory_space(rows.size());
-          in_file = select(dataset, block.first, rows.size());
+          in_memory = memory_space(rows);
+          in_file = select(dataset, first, rows);
         });
-    group.run_collective([&] { check(H5Dwrite(dataset, type, in_memory, in_file, transfer, buffer.data()), what); });
-    block = {block.first + rows.size(), block.rows.subspan(rows.size())};
+    const void* const data = some.empty() ? &none : some.data();
+    group.run_collective([&] { check(H5Dwrite(dataset, type, in_memory, in_file, transfer, data), what); });
+    first += rows;
+    bytes = bytes.subspan(some.size());
   }
 }
 
@@ -139,10 +130,12 @@ void reserve_space(const std::string& path, std::uint64_t bytes) {
 }
 
 std::vector<Checksums> write_part(const RankGroup& group, const std::string& path, const TableInfo& info,
-                                  std::span<const Section> sections, std::uint64_t total_rows, Block block) {
+                                  std::span<const Section> sections, std::uint64_t total_rows,
+                                  const PackedBlock& block) {
   std::vector<Checksums> checksums(sections.size());
   group.run_collective([&] {
-    for (std::size_t i = 0; i < sections.size(); ++i) checksums[i].block = checksum_of(sections[i], block);
+    for (std::size_t i = 0; i < sections.size(); ++i)
+      checksums[i].block = checksum_of_rows(block.sections[i], packed_size(sections[i].fields), block.first);
   });
   for (Checksums& each : checksums) each.dataset = group.sum(each.block);
   Handle file;
@@ -164,7 +157,8 @@ std::vector<Checksums> write_part(const RankGroup& group, const std::string& pat
   group.run_collective([&] {  // not earlier: MPI-IO does not know the file's size any more once something was written
     if (group.rank() == 0) write_long_texts(file, common);
   });
-  for (std::size_t i = 0; i < sections.size(); ++i) write_dataset(group, datasets[i], sections[i], block);
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    write_dataset(group, datasets[i], sections[i], block.first, block.sections[i]);
   group.run_collective([&] {
     for (Handle& dataset : datasets) dataset.close("cannot close a dataset");
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "cannot sync");  // every rank brings its own writes to the disk

@@ -8,6 +8,7 @@
 #include "mpi/rank_group.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/row.hpp"
+#include "store/table/packed_rows.hpp"
 #include "store/table/table_info.hpp"
 
 /// The steps of write_table(): all ranks write PATH.part, then read it back.
@@ -17,12 +18,6 @@ namespace sigmasweep {
 struct Section {
   std::string name;
   std::span<const Field> fields;
-};
-
-/// A contiguous range of rows.
-struct Block {
-  std::uint64_t first = 0;
-  std::span<const Row> rows;
 };
 
 /// The checksums of a dataset.
@@ -38,7 +33,8 @@ void reserve_space(const std::string& path, std::uint64_t bytes);
 /// Collective. Makes the file `path`, which must be there already, a table of `total_rows` rows with these datasets
 /// and this rank's block in them. Returns the checksums of each dataset, with those of this rank's block.
 std::vector<Checksums> write_part(const RankGroup& group, const std::string& path, const TableInfo& info,
-                                  std::span<const Section> sections, std::uint64_t total_rows, Block block);
+                                  std::span<const Section> sections, std::uint64_t total_rows,
+                                  const PackedBlock& block);
 
 /// Reads the table that write_part() wrote, on this rank alone. Returns the checksums of each dataset, with those of
 /// this range of rows. Throws IoError if the file is anything else.

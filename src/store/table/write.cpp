@@ -65,20 +65,18 @@ void see_same_file(const std::string& part, int rank) {
 }
 
 /// Requires that the blocks cover the table: nothing would fill a gap.
-void check_blocks(const RankGroup& group, const Slice& slice, std::uint64_t total_rows, const Block& block) {
-  const std::uint64_t rows = group.sum(block.rows.size());
+void check_blocks(const RankGroup& group, std::uint64_t total_rows, const PackedBlock& block) {
+  const std::uint64_t rows = group.sum(block.rows), before = group.sum_before(block.rows);
   group.run_collective([&] {
-    bool right = rows == total_rows;
-    for (std::size_t k = 0; k < block.rows.size(); ++k)
-      right = right && block.rows[k].index == slice.row(block.first + k);
-    if (!right) throw std::logic_error(fmt::format("the ranks' blocks do not make up {} rows", total_rows));
+    if (rows != total_rows || block.first != before)
+      throw std::logic_error(fmt::format("the ranks' blocks do not make up {} rows", total_rows));
   });
 }
 
 /// Every rank reads the rows of another rank: its own rows it might find in its own machine's memory.
 void read_back(const RankGroup& group, const std::string& part, std::span<const Section> sections,
-               std::uint64_t total_rows, const Block& block, const std::vector<Checksums>& checksums) {
-  std::vector<std::uint64_t> message{block.first, block.rows.size()};
+               std::uint64_t total_rows, const PackedBlock& block, const std::vector<Checksums>& checksums) {
+  std::vector<std::uint64_t> message{block.first, block.rows};
   for (const Checksums& each : checksums) message.push_back(each.block);
   const int before = (group.rank() + group.size() - 1) % group.size(), next = (group.rank() + 1) % group.size();
   check_mpi(MPI_Sendrecv_replace(message.data(), static_cast<int>(message.size()), MPI_UINT64_T, before, 0, next, 0,
@@ -101,11 +99,11 @@ void publish(AtomicFile& file) {
 }
 
 void write_collective(const RankGroup& group, const std::string& path, const TableInfo& info,
-                      std::span<const Section> sections, std::uint64_t total_rows, const Block& block) {
+                      std::span<const Section> sections, std::uint64_t total_rows, const PackedBlock& block) {
   const std::string part = part_of(path);
   std::uint64_t bytes = (std::uint64_t{1} << 16) + 2 * (info.title.size() + info.spec_text.size());
   for (const Section& section : sections) bytes += total_rows * packed_size(section.fields);
-  check_blocks(group, info.slice, total_rows, block);
+  check_blocks(group, total_rows, block);
   std::optional<AtomicFile> file;  // on rank 0; it removes what is not published
   group.run_collective([&] {
     if (group.rank() == 0) prepare(path, file, bytes);
@@ -122,11 +120,16 @@ void write_collective(const RankGroup& group, const std::string& path, const Tab
 
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
                  std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block) {
+  write_table(comm, path, info, columns, total_rows, {first, PackedRows(columns, block), block.size()});
+}
+
+void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
+                 std::uint64_t total_rows, const PackedBlock& block) {
   const Hdf5Session session;
   const RankGroup group(comm);
   const std::array sections{Section{"results", columns}, Section{"timings", timing_fields()}};
   try {
-    write_collective(group, path, info, sections, total_rows, {first, block});
+    write_collective(group, path, info, sections, total_rows, block);
   } catch (const OutputError& error) {
     throw OutputError(fmt::format("cannot write {}: {}", path, error.what()));
   } catch (const IoError& error) {

@@ -8,6 +8,7 @@
 
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/row.hpp"
+#include "store/table/packed_rows.hpp"
 #include "store/table/table_info.hpp"
 
 namespace sigmasweep {
@@ -24,6 +25,9 @@ namespace sigmasweep {
 /// file behind its end, synced, then renamed: PATH is complete or as it was before. Every rank returns or every rank
 /// throws the same error (OutputError: cannot be created; IoError: disk full, a failed write, other bytes read back
 /// than written). /results is the same to the bit for any number of ranks and any blocks.
+void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
+                 std::uint64_t total_rows, const PackedBlock& block);
+/// The same with rows that are not packed.
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
                  std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block);
 

@@ -290,7 +290,7 @@ TEST_F(TableTest, ReadingBackSeesAFlippedBitAndACutFile) {
   const RankGroup group(MPI_COMM_WORLD);
   if (rank == 0) put_bytes(path, "");
   barrier();
-  const auto written = write_part(group, path, info(), sections, 100, {first, block});
+  const auto written = write_part(group, path, info(), sections, 100, {first, PackedRows(columns, block), count});
   EXPECT_EQ(checksums_in_part(path, sections, 100, first, count), written);
   barrier();
   if (rank != 0) return;
