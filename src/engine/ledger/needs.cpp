@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/memory.hpp"
+#include "engine/ledger/usable_memory.hpp"
 #include "store/journal/record.hpp"
 #include "store/table/packing.hpp"
 #include "sweep/schedule.hpp"

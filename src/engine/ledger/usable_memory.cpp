@@ -1,4 +1,4 @@
-#include "base/memory.hpp"
+#include "engine/ledger/usable_memory.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>
