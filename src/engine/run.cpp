@@ -24,7 +24,8 @@ int run_phases(const World& world, const RunOptions& options, const Reporter& re
   bool finished = open.table_is_complete;
   if (!finished) {
     NotedRun noted(world, open, reporter);
-    LastResort::prepare_by([table = open.table] { return give_up_without_manager(table); });
+    LastResort::prepare_by([table = open.table] { return give_up_without_manager(table); },
+                           [table = open.table] { return is_some_rank_silent(table); });
     computed = compute_rows(world, open, noted, deadline, stop, reporter);
     finished = computed.is_complete;
     if (finished) write_rows(world, open);

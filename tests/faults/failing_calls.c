@@ -1,10 +1,12 @@
 /* A library for LD_PRELOAD that makes calls fail: the FAIL_AT-th call of FAIL_CALL on a file whose path contains
    FAIL_PATH fails with FAIL_ERRNO, and so do later calls if FAIL_ON is set. With FAIL_RANK only calls of this rank
-   fail. Calls of HDF5 fail before they do anything; FAIL_PATH must be empty for them. */
+   fail. With FAIL_STOP the process stops there instead (SIGSTOP), and the call goes on with it. Calls of HDF5 fail
+   before they do anything; FAIL_PATH must be empty for them. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdint.h>
@@ -28,7 +30,9 @@ static int fails(const char* call, const char* path) {
   if (wanted == NULL || part == NULL || strcmp(wanted, call) != 0 || strstr(path, part) == NULL) return 0;
   if (!of_our_rank()) return 0;
   const int at = atoi(getenv("FAIL_AT")), now = ++calls;
-  return now == at || (now > at && getenv("FAIL_ON") != NULL) ? atoi(getenv("FAIL_ERRNO")) : 0;
+  const int hit = now == at || (now > at && getenv("FAIL_ON") != NULL);
+  if (hit && getenv("FAIL_STOP") != NULL) return raise(SIGSTOP), 0;
+  return hit ? atoi(getenv("FAIL_ERRNO")) : 0;
 }
 
 static int fails_fd(const char* call, int fd) {

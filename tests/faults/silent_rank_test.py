@@ -13,7 +13,7 @@ import time
 import unittest
 
 from long_tuple_test import LONG, LONG_ROW, start_long_rows
-from sweep_process import Sweep, end_of, ranks_of, spec, wait_until_caught
+from sweep_process import Sweep, end_of, failing, ranks_of, spec, wait_until_caught
 
 TRIALS = int(os.environ.get("SILENT_TRIALS", "4"))
 AT_ONCE = 2  # they mostly wait
@@ -130,6 +130,26 @@ class SilentRank(unittest.TestCase):
             self.assertIn("4 of 4 rows done", ended.err)
         ended = sweep.run(2)
         self.assertEqual(ended.code, 0, ended)
+
+    def test_while_the_table_is_written(self):
+        """Nobody asks for a stop; the rank that is silent is named, and the next run finishes from the journal."""
+        for silent, call in ((0, "fsync"), (1, "open to write")):
+            with self.subTest(silent=silent):
+                sweep = Sweep(TEXT)
+                environment = failing(call, at=1, path=".h5.part", rank=silent)
+                environment["FAIL_STOP"] = "1"
+                start = time.monotonic()
+                ended = sweep.run(3, env=environment)
+                self.assertEqual(ended.code, 75, ended)
+                self.assertGreater(time.monotonic() - start, 30)
+                self.assertRegex(ended.err, rf"rank {silent} on \S+ does not answer")
+                self.assertFalse(sweep.table.exists())
+                kept = sweep.journalled()
+                again = sweep.run(2)
+                self.assertEqual(again.code, 0, again)
+                self.assertEqual(sweep.results(), self.results)
+                run_time = sweep.timings()["run_time"]
+                self.assertEqual({row: run_time[row] for row in kept}, kept, "finished rows were computed again")
 
     def test_a_rank_that_goes_on_in_time(self):
         """Half a minute is enough for everybody who lives."""

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "base/file.hpp"
@@ -57,6 +58,11 @@ std::string give_up_without_manager(const std::string& table) {
     end_run_notes(table, false);
   }
   return words.empty() ? "other ranks do not answer" : words + " does not answer";
+}
+
+bool is_some_rank_silent(const std::string& table) {
+  const auto state = state_of(table);
+  return state && std::ranges::any_of(state->ranks, [](const RankState& rank) { return rank.silent.has_value(); });
 }
 
 }  // namespace sigmasweep

@@ -16,5 +16,7 @@ namespace sigmasweep {
 /// The same for any rank, when the manager may be the silent one: does what is possible without it, and returns the
 /// words for the user. For LastResort::prepare_by().
 std::string give_up_without_manager(const std::string& table);
+/// Whether the run's notes show a rank that does not answer.
+bool is_some_rank_silent(const std::string& table);
 
 }  // namespace sigmasweep

@@ -9,6 +9,7 @@
 namespace sigmasweep {
 
 void write_rows(const World& world, const OpenSweep& open) {
+  const LastResort::Together together;
   TableInfo info = table_info(open.sweep, open.start, world.size());  // the manager's counts
   info.slice = open.slice;
   const auto [first, count] = world.block(open.rows());

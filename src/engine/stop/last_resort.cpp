@@ -23,8 +23,10 @@ constexpr double between_ranks = 0.1;
 
 std::atomic<Clock::rep> stop_at = Clock::time_point::max().time_since_epoch().count();
 std::atomic<double> allowed = 0.0;
+std::atomic<int> together = 0;  ///< number of objects of that kind
 std::mutex mutex;
 std::function<std::string()> last_words;
+std::function<bool()> is_some_rank_silent;
 
 bool is_told_to_stop() { return StopSignals::came() || Clock::now().time_since_epoch().count() >= stop_at; }
 
@@ -34,6 +36,15 @@ std::string say_last_words() {
     return last_words ? last_words() : "other ranks do not answer";
   } catch (...) {
     return "other ranks do not answer";
+  }
+}
+
+bool somebody_is_silent() {
+  const std::lock_guard lock(mutex);
+  try {
+    return is_some_rank_silent && is_some_rank_silent();
+  } catch (...) {
+    return false;
   }
 }
 
@@ -48,16 +59,20 @@ LastResort::~LastResort() {
   thread_.join();
   stop_at = Clock::time_point::max().time_since_epoch().count();
   allowed = 0.0;
-  prepare_by({});
+  prepare_by({}, {});
 }
+
+LastResort::Together::Together() { ++together; }
+LastResort::Together::~Together() { --together; }
 
 void LastResort::expect_stop_in(double seconds) { stop_at = time_in(seconds).time_since_epoch().count(); }
 
 void LastResort::allow(double seconds) { allowed = seconds; }
 
-void LastResort::prepare_by(std::function<std::string()> words) {
+void LastResort::prepare_by(std::function<std::string()> words, std::function<bool()> silent) {
   const std::lock_guard lock(mutex);
   last_words = std::move(words);
+  is_some_rank_silent = std::move(silent);
 }
 
 void LastResort::end_process_in(std::chrono::seconds seconds, int exit_code) {
@@ -77,15 +92,17 @@ void LastResort::end_all_ranks() {
 
 void LastResort::watch(const std::stop_token& done) const {
   const double mine = patience + between_ranks * std::min(rank_, 100);
-  AwakeTime since_stop;
+  AwakeTime waiting;
   while (!done.stop_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    if (!is_told_to_stop() || since_stop.look() < mine + allowed) continue;
+    const bool is_told = is_told_to_stop();
+    if (!is_told && together == 0) waiting = AwakeTime();
+    if ((!is_told && together == 0) || waiting.look() < mine + allowed) continue;
+    if (!is_told && !somebody_is_silent()) continue;  // they are slow
     end_process_in(time_to_end, exit_code::stopped);
-    print_on_stderr(
-        fmt::format("sigmasweep: rank {}: the run does not end after it was told to stop: {}; it is given "
-                    "up. Everything done is kept, run it again to go on\n",
-                    rank_, say_last_words()));
+    print_on_stderr(fmt::format(
+        "sigmasweep: rank {}: the run {}: {}; it is given up. Everything done is kept, run it again to go on\n", rank_,
+        is_told ? "does not end after it was told to stop" : "does not go on", say_last_words()));
     end_all_ranks();
   }
 }

@@ -9,8 +9,9 @@
 namespace sigmasweep {
 
 /// The last resort of a process that was told to stop: a thread that ends it, and all other ranks with it, if it has
-/// not come to its end half a minute later. It needs no other rank to answer: one that is stopped, lost or stuck in a
-/// file system would keep the others waiting in MPI for ever. The exit code is exit_code::stopped.
+/// not come to its end half a minute later. The same where all ranks do something together and one of them has been
+/// silent for so long. It needs no other rank to answer: one that is stopped, lost or stuck in a file system would keep
+/// the others waiting in MPI for ever. The exit code is exit_code::stopped.
 ///
 /// Time during which this process itself was stopped does not count. There may be one such object at a time, from
 /// before MPI begins until after its end.
@@ -29,8 +30,18 @@ class LastResort {
   static void expect_stop_in(double seconds);
   /// Gives the process so much time more, s: for work that is finished even after a stop.
   static void allow(double seconds);
-  /// What is to be done before the end: saves what can be saved, and says in words which ranks are silent.
-  static void prepare_by(std::function<std::string()> last_words);
+  /// What is to be done before the end: `last_words` saves what can be saved, and says in words which ranks are silent.
+  /// `is_some_rank_silent` tells the silent from the slow where there was no stop.
+  static void prepare_by(std::function<std::string()> last_words, std::function<bool()> is_some_rank_silent);
+
+  /// While it lives all ranks do something together, which no rank can go on without.
+  class Together {
+   public:
+    Together();
+    ~Together();
+    Together(const Together&) = delete;
+    Together& operator=(const Together&) = delete;
+  };
 
   /// Ends this process in so many seconds, whatever hangs meanwhile.
   static void end_process_in(std::chrono::seconds seconds, int exit_code);
