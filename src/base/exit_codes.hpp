@@ -5,6 +5,7 @@
 namespace sigmasweep::exit_code {
 
 constexpr int success = 0, some_rows_failed = 3, usage_error = 64, bad_data = 65, internal_error = 70, io_error = 74;
-constexpr int stopped = 75;  ///< on purpose; the same command goes on
+constexpr int unavailable = 69;  ///< the processor lacks instructions that the program needs
+constexpr int stopped = 75;      ///< on purpose; the same command goes on
 
 }  // namespace sigmasweep::exit_code

@@ -9,12 +9,15 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "sigmasweep/model/names.hpp"
 #include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
+#include "solve/exact/linear/side_by_side/batch.hpp"
+#include "solve/exact/linear/side_by_side/lanes/advance.hpp"
 #include "solve/fixed_step/column/collision.hpp"
 #include "support/parameters.hpp"
 
@@ -47,6 +50,22 @@ void exact(benchmark::State& state, double sigma, double tolerance) {
   for (auto _ : state) benchmark::DoNotOptimize(c = simulate(p));
   report_error(state, p, c.eps_eff);
   state.counters["bar"] = c.eps_eff_error;
+}
+
+/// The same from contact to contact in one column alone, and among 64 like ones side by side: the time a column.
+void alone(benchmark::State& state, double sigma) {
+  const Parameters p = tuple(sigma);
+  SimulationResult c;
+  for (auto _ : state) benchmark::DoNotOptimize(c = simulate_exact(p));
+  report_error(state, p, c.eps_eff);
+}
+void columns_side_by_side(benchmark::State& state, double sigma, int lanes) {
+  const std::vector<Parameters> tuples(64, tuple(sigma));
+  std::vector<SimulationResult> results(tuples.size());
+  for (auto _ : state) simulate_side_by_side(tuples, results, lanes);
+  report_error(state, tuples[0], results[0].eps_eff);
+  state.counters["a_column"] = benchmark::Counter(
+      static_cast<double>(tuples.size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 /// The bare scheme at tc/steps, without the error bar that a sweep adds.
@@ -86,6 +105,13 @@ int main(int argc, char** argv) {
       benchmark::RegisterBenchmark(("exact/" + std::to_string(int(std::log10(tolerance))) + at).c_str(), exact, sigma,
                                    tolerance)
           ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("alone" + at).c_str(), alone, sigma)->Unit(benchmark::kMicrosecond);
+    for (const int lanes : {1, 4, 8}) {
+      if (lanes > side_by_side::widest()) continue;
+      benchmark::RegisterBenchmark((fmt::format("side_by_side/{}", lanes) + at).c_str(), columns_side_by_side, sigma,
+                                   lanes)
+          ->Unit(benchmark::kMicrosecond);
+    }
     for (auto integrator : {Integrator::gear5, Integrator::verlet, Integrator::rk4})
       for (int steps : {50, 100, 1000}) {
         const std::string name = std::string(name_of(integrator)) + "/tc:" + std::to_string(steps) + at;

@@ -2,6 +2,7 @@
 #include "solve/cost_model.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/linear/many.hpp"
+#include "solve/exact/linear/side_by_side/batch.hpp"
 #include "solve/exact/linear/vibrated.hpp"
 #include "solve/observer/film_duration.hpp"
 #include "solve/observer/record_column.hpp"
@@ -17,6 +18,9 @@ bool accepts(const Parameters& p) {
 
 constexpr cost::EventCosts event_costs{
     .dense_bead = 0.6e-6, .dense_pair = 0.35e-6, .contact = 0.2e-6, .shared_contact = 40e-9};
+/// Of columns side by side.
+constexpr cost::EventCosts lane_costs{
+    .dense_bead = 0.35e-6, .dense_pair = 45e-9, .contact = 30e-9, .shared_contact = 12e-9};
 constexpr double contact_on_plate = 12e-6;  // s
 
 }  // namespace
@@ -34,7 +38,8 @@ const Solver linear_column{
                                              observe_exact(column, samples);
                                            });
         },
-    .predicted_seconds = [](const Parameters& p) { return cost::of_collision(p, event_costs); },
+    .predicted_seconds =
+        [](const Parameters& p) { return cost::of_collision(p, goes_side_by_side(p) ? lane_costs : event_costs); },
     .film_duration = film_of_column,
     .run_many = simulate_linear_many,
 };

@@ -8,7 +8,6 @@
 #include "sigmasweep/model/result.hpp"
 #include "solve/exact/linear/side_by_side/lane_law.hpp"
 #include "solve/exact/linear/side_by_side/lane_state.hpp"
-#include "solve/stop_logic.hpp"
 
 namespace sigmasweep::side_by_side {
 

@@ -3,8 +3,10 @@
 namespace sigmasweep::side_by_side {
 
 int widest() {
-  static const int width = __builtin_cpu_supports("x86-64-v4") ? 8 : 4;
-  return width;
+  static const bool has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                                 __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                                 __builtin_cpu_supports("avx512vl");
+  return has_avx512 ? 8 : 4;
 }
 
 }  // namespace sigmasweep::side_by_side

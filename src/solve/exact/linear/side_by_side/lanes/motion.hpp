@@ -92,7 +92,7 @@ template <int W>
     const Mask<W> turns = wanted & (slope_before > zero) & (at_here.slope < zero);
     if (any(turns)) {
       P t = before + (here - before) * (slope_before / (slope_before - at_here.slope));
-      for (int iteration = 0; iteration < 4; ++iteration) {
+      for (int iteration = 0; iteration < 6; ++iteration) {
         P value(0.0), slope(0.0), curvature(0.0);
         for (int p = order; p >= 0; --p) {
           curvature = fma(curvature, t, slope);
