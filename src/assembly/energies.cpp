@@ -46,6 +46,15 @@ Energies<Real> energies(std::span<const Real> velocity, Real speed, std::span<co
 }
 
 template <class Real>
+Real distance(std::span<const Real> velocity, std::span<const Real> other, std::span<const Real> mass) {
+  using std::sqrt;
+  Real squares = 0;
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    squares += mass_of(mass, i) * (velocity[i] - other[i]) * (velocity[i] - other[i]);
+  return sqrt(squares / total(mass, velocity.size()));
+}
+
+template <class Real>
 Projection<Real> project_on_separated(std::span<const Real> velocity, std::span<const Real> mass) {
   struct Block {
     Real momentum, mass;
@@ -86,6 +95,7 @@ Real residual_dissipation(std::span<const Real> velocity, Real speed, std::span<
 
 #define SIGMASWEEP_INSTANTIATE(Real)                                                                     \
   template Energies<Real> energies(std::span<const Real> velocity, Real speed, std::span<const Real>);   \
+  template Real distance(std::span<const Real>, std::span<const Real>, std::span<const Real>);           \
   template Projection<Real> project_on_separated(std::span<const Real> velocity, std::span<const Real>); \
   template Real residual_dissipation(std::span<const Real> velocity, Real speed, std::span<const Real>);
 SIGMASWEEP_INSTANTIATE(double)

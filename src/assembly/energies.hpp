@@ -12,6 +12,10 @@ struct Energies {
 template <class Real>
 Energies<Real> energies(std::span<const Real> velocity, Real speed, std::span<const Real> mass = {});
 
+/// How far two sets of velocities are apart: the root mean square of the differences, weighted with the masses.
+template <class Real>
+Real distance(std::span<const Real> velocity, std::span<const Real> other, std::span<const Real> mass = {});
+
 /// The projection Pv onto the cone 0 <= w_1 <= ... <= w_N, by pooling adjacent violators (isotonic regression) in one
 /// pass; norms are weighted with the masses. Why the cone: every completed contact hands momentum upwards
 /// (int F dt = K int x^(1+beta) dt >= 0, as x starts and ends at 0), and at the end nothing approaches. So the final

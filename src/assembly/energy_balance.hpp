@@ -36,7 +36,17 @@ class EnergyBalance {
   /// Upper bound of the further decrease of sqrt(E/E_0). A closed contact will transfer the momentum int F dt >= -C
   /// x^(1+gamma)/(1+gamma) until it opens. If it transfers this minimum at once, the velocities v' result, for which
   /// residual_dissipation() holds: |P v'| remains of sqrt(E). Norms are weighted with the masses.
-  Real remaining() const {
+  Real remaining() const { return outlook().decrease; }
+
+  /// How far from the present ones the final velocities may be, as mass-weighted root mean squares over the initial
+  /// speed. Final velocities w have got what P v' still hands upwards, so <w, P v'> >= |P v'|^2, and |w|^2 <= E: they
+  /// lie within sqrt(E - |P v'|^2) of P v'.
+  struct Outlook {
+    Real decrease{};          ///< bound of the further decrease of sqrt(E/E_0)
+    Real final_distance{};    ///< at most, of the final velocities from P v'
+    Real present_distance{};  ///< at most, of the present velocities from P v'
+  };
+  Outlook outlook() const {
     using std::sqrt;
     std::vector<Real> handed_on = v_;
     Real lost = 0;  // E - |P v'|^2 = (elastic) + (|v|^2 - |v'|^2) + |v' - P v'|^2, twice the energies
@@ -47,11 +57,15 @@ class EnergyBalance {
       handed_on[k] -= per_mass(k, impulse);
       if (k > 0) handed_on[k - 1] += per_mass(k - 1, impulse);
     }
-    for (std::size_t k = 0; k < v_.size(); ++k) lost += weighted(k, (v_[k] - handed_on[k]) * (v_[k] + handed_on[k]));
+    Real handed = 0;
+    for (std::size_t k = 0; k < v_.size(); ++k) {
+      lost += weighted(k, (v_[k] - handed_on[k]) * (v_[k] + handed_on[k]));
+      handed += weighted(k, (v_[k] - handed_on[k]) * (v_[k] - handed_on[k]));
+    }
     const auto [apart, kept] = project_on_separated<Real>(handed_on, column_.mass);
     lost += apart;
-    if (!(lost > 0)) return Real(0);
-    return lost / ((sqrt(energy_) + sqrt(kept)) * scale_);
+    if (!(lost > 0)) return {};
+    return {lost / ((sqrt(energy_) + sqrt(kept)) * scale_), sqrt(lost) / scale_, (sqrt(handed) + sqrt(apart)) / scale_};
   }
 
   /// The size of the change of sqrt(E/E_0) under a small change of overlaps and velocities (linear law); infinite if
@@ -64,12 +78,25 @@ class EnergyBalance {
       half += weighted(k, v_[k] * velocity[k]);
       if (closed_[k]) half += column_.spring(k) * x_[k] * overlap[k];
     }
-    const Real size = abs(half) / (sqrt(energy_) * scale_);
-    const Real infinity = std::numeric_limits<Real>::infinity();
-    return size < infinity ? size : infinity;
+    return finite_or_infinite(abs(half) / (sqrt(energy_) * scale_));
+  }
+
+  /// The size of such a change itself: the root of twice its energy, over that of all beads at the initial speed.
+  Real distance(std::span<const Real> overlap, std::span<const Real> velocity) const {
+    using std::sqrt;
+    Real squares = 0;
+    for (std::size_t k = 0; k < v_.size(); ++k) {
+      squares += weighted(k, velocity[k] * velocity[k]);
+      if (closed_[k]) squares += column_.spring(k) * overlap[k] * overlap[k];
+    }
+    return finite_or_infinite(sqrt(squares) / scale_);
   }
 
  private:
+  static Real finite_or_infinite(const Real& size) {
+    const Real infinity = std::numeric_limits<Real>::infinity();
+    return size < infinity ? size : infinity;
+  }
   /// Twice the elastic energy.
   Real elastic(std::size_t k) const { return twice_elastic_energy(column_.exponents, column_.spring(k), x_[k]); }
   /// Momentum that the dashpot takes back on the way to x = 0.

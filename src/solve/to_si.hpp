@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "assembly/column.hpp"
@@ -40,6 +41,25 @@ template <class Real>
 SimulationResult to_si_result(const Outcome<Real>& outcome, const Parameters& parameters,
                               std::span<const Real> mass = {}) {
   return to_si_result(energies<Real>(std::span<const Real>(outcome.velocity), Real(1), mass), outcome, parameters);
+}
+
+/// Sets v_cm_error and Er_Ef_error from the error of the final velocities, a mass-weighted root mean square over v0.
+/// v_cm is one of their components. E_r/E_f is the squared sine of an angle, that of all velocities and of equal ones,
+/// which is off by at most asin(error/eps_eff) = phi, and sin^2(a + phi) - sin^2(a) = sin(phi) sin(2 a + phi).
+inline void set_errors_of_motion(SimulationResult& c, double velocity_error) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  const auto at_most_one = [](double error) { return error <= 1.0 ? error : 1.0; };
+  const double phi = std::asin(at_most_one(velocity_error / c.eps_eff));
+  c.v_cm_error = at_most_one(velocity_error + 0.5 * rounding * std::fabs(c.v_cm));
+  c.Er_Ef_error =
+      at_most_one(phi * (2.0 * std::sqrt(c.Er_Ef * std::fmax(1.0 - c.Er_Ef, 0.0)) + phi) + rounding * c.Er_Ef);
+}
+
+/// How far velocities may still change, over v0, where eps_eff can still fall by `decrease`. The final velocities and
+/// the present ones lie within the root of the energy that goes then, (2 eps_eff + decrease) decrease at most, around
+/// the projection that EnergyBalance::outlook() speaks of.
+inline double velocity_left(double eps_eff, double decrease) {
+  return 2.0 * std::sqrt(decrease * (2.0 * eps_eff + decrease));
 }
 
 /// The result with its error bar. Its status becomes tolerance_missed if the error is larger than the tolerance.

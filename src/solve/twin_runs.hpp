@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sigmasweep/model/result.hpp"
+#include "solve/to_si.hpp"
 
 /// Error bars of collisions that are integrated with local errors of a given size: by the difference from a second run
 /// with local errors ten times as large.
@@ -18,24 +19,34 @@ inline constexpr double chance = 4.0;
 /// Local accuracies that the number types can keep.
 inline constexpr double finest_double = 1e-15, finest_long_double = 1e-19;
 
-/// Error bar of eps_eff from two runs that differ by `difference`; `left`: what the runs left out at the end.
-inline double twin_error(const SimulationResult& c, double difference, double accuracy, double left) {
-  return chance * difference + amplification * accuracy + left + std::numeric_limits<double>::epsilon() * c.eps_eff;
-}
+/// Errors of eps_eff that the difference of two runs does not show.
+struct Unseen {
+  double late = 0.0;    ///< by contacts after the end
+  double places = 0.0;  ///< by positions that are rounded the same way in both
+};
 
-/// The collision with local errors of `accuracy`, its error from a second run with ten times as much:
+/// The collision with local errors of `accuracy`, its error bars from a second run with ten times as much:
 ///     Outcome solve(accuracy)                       one run
-///     SimulationResult to_result(outcome)           the result that it means, without an error
+///     SimulationResult to_result(outcome)           the result that it means, without errors
 ///     double difference(outcome, other)             of eps_eff, between two runs that have come to an end
-///     double error(result, outcome, other, difference)   eps_eff_error; a second run without an end differs by 1
-template <class Solve, class ToResult, class Difference, class Error>
-SimulationResult run_with_error_bar(double accuracy, Solve&& solve, ToResult&& to_result, Difference&& difference,
-                                    Error&& error) {
+///     double distance(outcome, other)               of their velocities, a mass-weighted root mean square over v0
+///     Unseen unseen(result, outcome, other)
+/// A second run without an end differs by 1.
+template <class Solve, class ToResult, class Difference, class Distance, class UnseenOf>
+SimulationResult run_with_error_bars(double accuracy, Solve&& solve, ToResult&& to_result, Difference&& difference,
+                                     Distance&& distance, UnseenOf&& unseen) {
   const auto outcome = solve(accuracy);
   SimulationResult c = to_result(outcome);
   if (c.status != Status::ok) return c;
   const auto other = solve(accuracy * 10.0);
-  c.eps_eff_error = error(c, outcome, other, other.status == Status::ok ? difference(outcome, other) : 1.0);
+  const bool both_end = other.status == Status::ok;
+  const auto [late, places] = unseen(c, outcome, other);
+  const auto error = [&](double apart, double left) {
+    return chance * apart + amplification * accuracy + left + std::numeric_limits<double>::epsilon() * c.eps_eff +
+           places;
+  };
+  c.eps_eff_error = error(both_end ? difference(outcome, other) : 1.0, late);
+  set_errors_of_motion(c, error(both_end ? distance(outcome, other) : 1.0, velocity_left(c.eps_eff, late)));
   return c;
 }
 

@@ -41,7 +41,7 @@ class One(unittest.TestCase):
         self.assertEqual([row[name] for name in ("geometry", "rows", "columns", "N", "side_walls", "D_t", "status")],
                          ["lattice", 2, 3, 6, "fixed", 100.0, "ok"])
         self.assertNotIn("predicted_growth", row)
-        for name in ("eps_eff", "eps_eff_error", "Er_Ef", "Er_E0", "v_cm", "t_k", "x_max", "contacts", "end"):
+        for name in ("eps_eff", "eps_eff_error", "Er_Ef", "Er_Ef_error", "Er_E0", "v_cm", "t_k", "x_max", "contacts", "end"):
             self.assertIn(name, row)
 
     def test_refusals(self):

@@ -83,6 +83,8 @@ struct SimulationResult {
   std::uint64_t contacts = 0;
   End end = End::none;
   Status status = Status::not_run;
+  double Er_Ef_error = nan;  ///< estimate of the absolute error of Er_Ef
+  double v_cm_error = nan;   ///< estimate of the absolute error of v_cm
 };
 
 }  // namespace sigmasweep

@@ -61,6 +61,8 @@ std::string readable(const Field& field, const Row& row) {
 std::string with_error(const Field& field, const Row& row) {
   const SimulationResult& c = row.result;
   if (field.name == "eps_eff") return fmt::format("{:.12g} +- {:.1g}", c.eps_eff, c.eps_eff_error);
+  if (field.name == "Er_Ef") return fmt::format("{:.10g} +- {:.1g}", c.Er_Ef, c.Er_Ef_error);
+  if (field.name == "v_cm") return fmt::format("{:.10g} +- {:.1g}", c.v_cm, c.v_cm_error);
   if (field.name == "h_cm") return fmt::format("{:.8g} +- {:.1g} m", c.vibration.h_cm, c.vibration.h_cm_error);
   return readable(field, row);
 }
@@ -85,7 +87,7 @@ void print_result(const std::vector<Field>& columns, const Row& row, const std::
   }
   bool in_results = false;
   for (const Field& field : columns) {
-    if (field.name == "eps_eff_error" || field.name == "h_cm_error") continue;
+    if (field.name.ends_with("_error")) continue;  // beside the value
     if (is_result(field) && !in_results) {
       if (!diameters.empty()) print_diameters(diameters, names);
       fmt::print("\n");

@@ -28,7 +28,7 @@ struct ShowOptions {
 std::string cell(const Field& field, const Row& row) {
   if (field.type != FieldType::real) return text(field, row);
   if (field.name == "eps_eff") return fmt::format("{:.12g}", number(field, row));
-  if (field.name == "eps_eff_error" || field.name == "h_cm_error") return fmt::format("{:.1e}", number(field, row));
+  if (field.name.ends_with("_error")) return fmt::format("{:.1e}", number(field, row));
   return fmt::format("{:.6g}", number(field, row));
 }
 

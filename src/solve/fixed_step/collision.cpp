@@ -42,6 +42,9 @@ SimulationResult compared(SimulationResult c, const SimulationResult& exact) {
   const double worst = std::max(c.eps_eff, std::fabs(1.0 - c.eps_eff));
   const double error = std::fabs(c.eps_eff - exact.eps_eff) + exact.eps_eff_error;
   c.eps_eff_error = error <= worst ? error : worst;
+  const auto at_most_one = [](double distance) { return distance <= 1.0 ? distance : 1.0; };
+  c.Er_Ef_error = at_most_one(std::fabs(c.Er_Ef - exact.Er_Ef) + exact.Er_Ef_error);
+  c.v_cm_error = at_most_one(std::fabs(c.v_cm - exact.v_cm) + exact.v_cm_error);
   return c;
 }
 

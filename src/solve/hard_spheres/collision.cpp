@@ -64,8 +64,9 @@ Computed computed_in(const Parameters& p, HardSphereSettings settings, const Run
   const bool given_up = outcome.status == Status::event_limit;
   if (given_up) outcome.status = Status::tolerance_missed;  // by the energy that can still be dissipated
   SimulationResult c = to_si_result(outcome, p, mass);
-  Real error = std::numeric_limits<Real>::epsilon() * spread(column.mass) * (4 + collisions_per_bead);
-  error += residual_dissipation<Real>(outcome.velocity, Real(1), mass);
+  const Real roundings = std::numeric_limits<Real>::epsilon() * spread(column.mass) * (4 + collisions_per_bead);
+  const Real left = residual_dissipation<Real>(outcome.velocity, Real(1), mass);
+  Real error = roundings + left, apart = 0;
   if (!given_up) {
     // The twin has more simultaneous collisions, which matter in columns that come close to a collapse.
     const Column<Real> twin = twin_of(column);
@@ -74,9 +75,13 @@ Computed computed_in(const Parameters& p, HardSphereSettings settings, const Run
     const Outcome<Real> other = HardSphereColumn<Real>(twin, settings, limits).run(nobody);
     error += abs(energies<Real>(outcome.velocity, Real(1), mass).eps_eff -
                  energies<Real>(other.velocity, Real(1), twin.mass).eps_eff);
+    apart = distance<Real>(outcome.velocity, other.velocity, mass);
   }
-  if (std::isfinite(c.eps_eff))
+  if (std::isfinite(c.eps_eff)) {
     c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;
+    const double late = static_cast<double>(left) + static_cast<double>(run.clock_resolution_error());
+    set_errors_of_motion(c, static_cast<double>(roundings + apart) + velocity_left(c.eps_eff, late));
+  }
   return {c, static_cast<double>(run.clock_resolution_error())};
 }
 

@@ -37,6 +37,18 @@ double apart(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, cons
   return energy > 0.0 ? std::sqrt(squares / (energy * mass)) / double(lattice.beads.speed) : 0.0;
 }
 
+/// How far the runs' velocities are apart, a mass-weighted root mean square over v0.
+template <class Real>
+double distance(const Lattice<Real>& lattice, const LatticeOutcome<Real>& one, const LatticeOutcome<Real>& other) {
+  double squares = 0.0, mass = 0.0;
+  for (std::size_t i = 0; i < lattice.count(); ++i) {
+    const Vec2<Real> change = other.velocity[i] - one.velocity[i];
+    squares += double(lattice.mass(i) * dot(change, change));
+    mass += double(lattice.mass(i));
+  }
+  return std::sqrt(squares / mass) / double(lattice.beads.speed);
+}
+
 /// Uncertainty of eps_eff because the moment of the end is uncertain: late contacts of slow beads come at times that
 /// are chaotic before eps_eff is. The runs' longest waits say by how much the times are uncertain, and which of the
 /// waits may be on the other side of quiet_time().
@@ -82,13 +94,16 @@ SimulationResult simulate_lattice(const Parameters& p, ComputeBudget* budget) {
       return std::max(std::fabs(eps_eff(lattice, other) - eps_eff(lattice, outcome)),
                       apart(lattice, outcome, other) / chance);
     };
-    const auto error = [&](const SimulationResult& c, const Outcome& outcome, const Outcome& other, double apart) {
+    const auto of_velocities = [&](const Outcome& outcome, const Outcome& other) {
+      return distance(lattice, outcome, other);
+    };
+    const auto unseen = [&](const SimulationResult& c, const Outcome& outcome, const Outcome& other) {
       // Both runs have the same positions after long flights, and what these cannot resolve does not differ.
       const double from_nothing = std::max(c.eps_eff - 1.0, 0.0);
-      return twin_error(c, apart, finest, double(outcome.remainder)) + ending_uncertainty(lattice, outcome, other) +
-             double(lattice.rounding()) + from_nothing;
+      return Unseen{.late = double(outcome.remainder) + ending_uncertainty(lattice, outcome, other),
+                    .places = double(lattice.rounding()) + from_nothing};
     };
-    return run_with_error_bar(finest, solve, to_result, difference, error);
+    return run_with_error_bars(finest, solve, to_result, difference, of_velocities, unseen);
   });
 }
 

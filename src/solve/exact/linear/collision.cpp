@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "assembly/energies.hpp"
 #include "base/quad.hpp"
@@ -53,10 +55,11 @@ constexpr double loose = 1e-4;
 /// Work (ExactColumn::work) up to which a wide type is tried: about a second in each.
 constexpr std::uint64_t long_double_limit = 1'000'000, quad_limit = 50'000;
 
-/// What a run has to say on whether a wider type is worth a try.
+/// What a run has to say on whether a wider type is worth a try, and to twins of the column.
 struct Effort {
   std::uint64_t work = 0;
   double disturbance = 0.0;  ///< of eps_eff, at the end
+  std::vector<double> velocity;
 };
 
 /// The collision computed in `Real`, its error bar included.
@@ -66,7 +69,8 @@ SimulationResult computed_from(const Column<Real>& column, const Parameters& p, 
   using Exact = ExactColumn<Real, 1, HasUnequalMasses, Order>;
   Exact exact(column, limits);
   const Outcome<Real> outcome = exact.run();
-  effort = {exact.work(), static_cast<double>(exact.disturbance())};
+  effort = {exact.work(), static_cast<double>(exact.disturbance()), {}};
+  for (const Real& v : outcome.velocity) effort.velocity.push_back(static_cast<double>(v));
   SimulationResult c = to_si_result<Real>(outcome, p, column.mass);
   if (c.status != Status::ok) return c;
   double roundings = last_roundings + drift * double(exact.work()) / double(p.N);
@@ -75,6 +79,8 @@ SimulationResult computed_from(const Column<Real>& column, const Parameters& p, 
   const Real size = p.K_over_m > 0.0 ? Real(1) : Real(c.eps_eff);
   const Real error = exact.error(safety) + Real(roundings) * Exact::local_error() * size;
   c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;
+  set_errors_of_motion(
+      c, static_cast<double>(exact.velocity_error(safety) + Real(roundings) * Exact::local_error() * size));
   return c;
 }
 
@@ -91,12 +97,13 @@ double gain() {
   return std::numeric_limits<double>::epsilon() / static_cast<double>(std::numeric_limits<Wide>::epsilon());
 }
 
-/// The error bar from two twins of the column, whose dashpots, gaps and masses differ from its own in the thirteenth
+/// The error bars from two twins of the column, whose dashpots, gaps and masses differ from its own in the thirteenth
 /// digit, or the fourteenth for tolerances that need it. In a long tail of contacts that carry next to no energy a
 /// linearised disturbance grows without end, and says nothing; the twins go their own way there, too, but end where the
 /// energy lets them.
-double spread(const Parameters& p, const RunLimits& limits, double eps_eff) {
-  double largest = 0.0;
+SimulationResult with_errors_from_twins(SimulationResult c, const Parameters& p, const RunLimits& limits,
+                                        std::span<const double> velocity) {
+  double largest = 0.0, farthest = 0.0;
   const double little = std::clamp(0.1 * p.tolerance, 1e-14, 1e-13);
   for (const double change : {-little, little}) {
     Column<double> twin = reduced_column<double>(p);
@@ -106,10 +113,16 @@ double spread(const Parameters& p, const RunLimits& limits, double eps_eff) {
     for (double& gap : twin.gaps) gap *= 1.0 - change;
     for (std::size_t i = 0; i < twin.mass.size(); ++i) twin.mass[i] *= 1.0 + (i % 2 == 0 ? change : -change);
     const Outcome<double> outcome = exact_collision(twin, limits);
-    if (outcome.status != Status::ok) return 1.0;
-    largest = std::max(largest, std::abs(energies<double>(outcome.velocity, 1.0, twin.mass).eps_eff - eps_eff));
+    if (outcome.status != Status::ok) return c;
+    largest = std::max(largest, std::abs(energies<double>(outcome.velocity, 1.0, twin.mass).eps_eff - c.eps_eff));
+    farthest = std::max(farthest, distance<double>(outcome.velocity, velocity, twin.mass));
   }
-  return safety * largest + limits.settle;
+  SimulationResult by_twins = c;
+  set_errors_of_motion(by_twins, safety * farthest + velocity_left(c.eps_eff, limits.settle));
+  c.eps_eff_error = std::min(c.eps_eff_error, safety * largest + limits.settle);
+  c.Er_Ef_error = std::min(c.Er_Ef_error, by_twins.Er_Ef_error);
+  c.v_cm_error = std::min(c.v_cm_error, by_twins.v_cm_error);
+  return c;
 }
 
 }  // namespace
@@ -127,7 +140,7 @@ SimulationResult simulate_exact(const Parameters& p, ComputeBudget* budget) {
   if (c.status != Status::ok || c.eps_eff_error <= p.tolerance) return c;
 
   const double wanted = safety * effort.disturbance / p.tolerance;
-  c.eps_eff_error = std::min(c.eps_eff_error, spread(p, limits, c.eps_eff));
+  c = with_errors_from_twins(c, p, limits, effort.velocity);
   if (c.eps_eff_error <= p.tolerance) return c;
 
   const auto keep_better = [&](const SimulationResult& wide) {

@@ -73,6 +73,8 @@ class ExactColumn
   }
   /// After run(): a bound of the error of eps_eff, `safety` times the disturbances' size.
   Real error(double safety) const;
+  /// After run(): a bound of the error of the velocities, a mass-weighted root mean square over the initial speed.
+  Real velocity_error(double safety) const;
   /// After run(): the largest change of eps_eff by a disturbance.
   Real disturbance() const { return balance().disturbance; }
   /// What a step adds to the error, relative to the state.
@@ -98,6 +100,9 @@ class ExactColumn
   struct Balance {
     Real disturbance{};  ///< largest change of sqrt(E/E_0), E kinetic plus elastic, by a disturbance
     Real remaining{};    ///< at most this can sqrt(E/E_0) still fall
+    Real distance{};     ///< largest disturbance, as a velocity over the initial speed
+    Real ahead{};        ///< how far apart final velocities may be that follow from this moment
+    Real present{};      ///< how far the present velocities may be from final ones
   };
 
   void disturb_gaps();

@@ -5,6 +5,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "solve/exact/linear/column.hpp"
+#include "solve/exact/linear/column_error_impl.hpp"
 #include "solve/exact/linear/load_series.hpp"
 
 /// Definitions of ExactColumn's members. Included by the sources that instantiate it only: column_double.cpp and so on,
@@ -275,25 +276,6 @@ bool ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::settled(std::
   const Balance now = balance();
   if (Tangents > 0 && (balances_.empty() || now.remaining < balances_.back().remaining)) balances_.push_back(now);
   return now.remaining < Real(stop_.settle());
-}
-
-template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
-auto ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::balance() const -> Balance {
-  const EnergyBalance<Real> energy(column_, closed_, x_, velocities(0));
-  Balance now{Real(0), energy.remaining()};
-  for (int m = 1; m < motions; ++m)
-    now.disturbance = std::max(now.disturbance, energy.change(motion_[m].x, velocities(std::size_t(m))));
-  return now;
-}
-
-/// At any moment sqrt(E/E_0) is off by its disturbance, and from there both the true and the computed one fall by no
-/// more than what remains: small disturbances late in a collision may grow large, but have little left to act on.
-template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
-Real ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::error(double safety) const {
-  const Balance end = balance();
-  Real least = Real(safety) * end.disturbance + end.remaining;
-  for (const Balance& b : balances_) least = std::min(least, Real(Real(safety) * b.disturbance + b.remaining));
-  return least;
 }
 
 /// Overlaps and rates of all contacts at a time between the last event and the next; changes nothing.

@@ -42,11 +42,13 @@ SimulationResult simulate_nonlinear(const Parameters& p, ComputeBudget* budget) 
     const auto difference = [&](const Outcome<Real>& outcome, const Outcome<Real>& other) {
       return std::fabs(eps_eff(column, other) - eps_eff(column, outcome));
     };
-    const auto error = [&](const SimulationResult& c, const Outcome<Real>& outcome, const Outcome<Real>&,
-                           double apart) {
-      return twin_error(c, apart, local_error, outcome.end == End::settled ? limits.settle : 0.0);
+    const auto apart = [&](const Outcome<Real>& outcome, const Outcome<Real>& other) {
+      return double(distance<Real>(outcome.velocity, other.velocity, column.mass) / column.speed);
     };
-    return run_with_error_bar(local_error, solve, to_result, difference, error);
+    const auto unseen = [&](const SimulationResult&, const Outcome<Real>& outcome, const Outcome<Real>&) {
+      return Unseen{.late = outcome.end == End::settled ? limits.settle : 0.0};
+    };
+    return run_with_error_bars(local_error, solve, to_result, difference, apart, unseen);
   });
 }
 

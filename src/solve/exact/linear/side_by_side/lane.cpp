@@ -47,8 +47,7 @@ Lane::Lane(const Parameters& parameters)
       step_limit_(static_cast<std::uint64_t>(200 + 20 * parameters.N * parameters.N)),
       between_looks_(between_looks(parameters.N)),
       next_look_(between_looks_),
-      settle_(1e-3 * parameters.tolerance),
-      least_(std::numeric_limits<double>::infinity()) {}
+      settle_(1e-3 * parameters.tolerance) {}
 
 LaneState Lane::start() const {
   LaneState s;
@@ -88,9 +87,9 @@ bool Lane::ends(const LaneState& state) {
   const bool last_look = state.separated && state.contacts % between_looks_ == 0;
   if (!is_due(state.contacts) && !last_look) return over;
   next_look_ = (state.contacts / between_looks_ + 1) * between_looks_;
-  const auto [disturbance, remaining] = balance(state);
-  least_ = std::min(least_, safety * disturbance + remaining);
-  settled_ = remaining < settle_;
+  const Balance now = balance(state);
+  note(now);
+  settled_ = now.remaining < settle_;
   return settled_ || over;
 }
 
@@ -98,7 +97,19 @@ auto Lane::balance(const LaneState& state) const -> Balance {
   const std::size_t N = column_.contacts();
   const EnergyBalance<double> energy(column_, std::span(state.closed).first(N), std::span(state.x).first(N),
                                      velocities(state.u, N, law_->step));
-  return {energy.change(std::span(state.dx).first(N), velocities(state.du, N, law_->step)), energy.remaining()};
+  const auto outlook = energy.outlook();
+  const std::span<const double> dx = std::span(state.dx).first(N);
+  const std::vector<double> dv = velocities(state.du, N, law_->step);
+  return {.disturbance = energy.change(dx, dv),
+          .remaining = outlook.decrease,
+          .distance = energy.distance(dx, dv),
+          .ahead = 2.0 * outlook.final_distance,
+          .present = outlook.final_distance + outlook.present_distance};
+}
+
+void Lane::note(const Balance& now) {
+  least_ = std::min(least_, safety * now.disturbance + now.remaining);
+  least_of_velocity_ = std::min(least_of_velocity_, safety * now.distance + now.ahead);
 }
 
 SimulationResult Lane::result(const LaneState& state) {
@@ -111,13 +122,14 @@ SimulationResult Lane::result(const LaneState& state) {
   outcome.status = outcome.end == End::none ? Status::event_limit : Status::ok;
   SimulationResult c = to_si_result(outcome, parameters_);
   if (c.status != Status::ok) return c;
-  const auto [disturbance, remaining] = balance(state);
-  least_ = std::min(least_, safety * disturbance + remaining);
+  const Balance now = balance(state);
+  note(now);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double roundings = last_roundings + drift * static_cast<double>(steps_);
   // K_over_m and D_n near critical damping: restitution may be small, and has the roundings of numbers of order one.
   const double size = parameters_.K_over_m > 0.0 ? 1.0 : c.eps_eff;
   c.eps_eff_error = least_ + roundings * epsilon * size + 0.5 * epsilon * c.eps_eff;
+  set_errors_of_motion(c, least_of_velocity_ + now.present + roundings * epsilon * size);
   return c;
 }
 

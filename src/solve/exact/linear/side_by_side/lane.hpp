@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "assembly/column.hpp"
@@ -39,16 +40,21 @@ class Lane {
 
  private:
   struct Balance {
-    double disturbance = 0.0, remaining = 0.0;
+    double disturbance = 0.0, remaining = 0.0;          ///< of sqrt(E/E_0)
+    double distance = 0.0, ahead = 0.0, present = 0.0;  ///< of velocities, as in ExactColumn
   };
   Balance balance(const LaneState& state) const;
+  /// A look at the state: its error bars count if they are the smallest so far.
+  void note(const Balance& now);
 
   Parameters parameters_;
   Column<double> column_;
   std::shared_ptr<const LaneLaw> law_;
   std::uint64_t key_;  ///< of the random numbers
   std::uint64_t steps_ = 0, step_limit_, between_looks_, next_look_;
-  double settle_, least_;  ///< least: the smallest error bar that a look has found
+  double settle_;
+  /// The smallest error bars that a look has found, of eps_eff and of the velocities.
+  double least_ = std::numeric_limits<double>::infinity(), least_of_velocity_ = least_;
   bool settled_ = false;
 };
 
