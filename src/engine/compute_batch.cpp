@@ -44,11 +44,13 @@ std::size_t BatchComputer::size(std::span<const SweepTask> tasks) const {
 
 void BatchComputer::compute(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
                             std::vector<SweepAnswer>& answers) {
+  const auto start = Clock::now();
   if (batch.size() > 1 && goes_side_by_side(batch.front()))
     side_by_side(batch, should_end, answers);
   else
     one_by_one(batch, should_end, answers);
   notes_.end();
+  seconds_ += seconds(Clock::now() - start);
 }
 
 ComputeBudget BatchComputer::budget_of(const SweepTask& task, const std::function<bool()>& should_end) const {

@@ -51,6 +51,8 @@ class BatchComputer {
   /// longer than predicted, but not before the first row, unless `should_end` says so.
   void compute(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
                std::vector<SweepAnswer>& answers);
+  /// Time by the clock that was spent on rows, s.
+  double computing_seconds() const { return seconds_; }
 
  private:
   using Clock = RunNotes::Clock;
@@ -66,6 +68,7 @@ class BatchComputer {
   std::optional<double> limit_;
   std::set<std::uint64_t> alone_;
   RunNotes& notes_;
+  double seconds_ = 0.0;
 };
 
 }  // namespace sigmasweep

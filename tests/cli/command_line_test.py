@@ -173,6 +173,31 @@ class Answers(Files):
         self.assertIn("tuples         6", sigmasweep("plan", self.path / "spec.toml").stdout)
         self.assertEqual([p.name for p in self.path.iterdir()], ["spec.toml"])
 
+    def test_plan_measures(self):
+        spec = self.write(SPEC)
+        self.assertIsNone(json.loads(sigmasweep("plan", spec, "--json").stdout)["measured"])
+        ended = sigmasweep("plan", spec, "--measure", 4, "--json")
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        plan = json.loads(ended.stdout)
+        measured = plan["measured"]
+        self.assertEqual((measured["rows"], measured["given_up"]), (4, 0))
+        self.assertLessEqual(measured["least"], measured["mean"])
+        self.assertLessEqual(measured["mean"], measured["most"])
+        self.assertGreaterEqual(plan["makespan_seconds"], plan["lower_bound_seconds"])
+        self.assertRegex(sigmasweep("plan", spec, "--measure", 4).stdout, r"measured       4 rows need \S+ times the predicted")
+        self.assertEqual([p.name for p in self.path.iterdir()], ["spec.toml"])
+
+    def test_plan_says_what_run_refuses(self):
+        """The rows of a table have to be in memory."""
+        values = "{ from = 0.1, to = 0.9, count = 1000000 }"
+        spec = self.write(f"[sweep]\nmethod = 'ed'\nN = 2\nv0 = 1.0\ntc = 1e-5\nsigma = {values}\nepsilon = {values}\n")
+        planned, ran = sigmasweep("plan", spec, "--json"), sigmasweep("run", spec, cwd=self.path)
+        refusal = json.loads(planned.stdout)["refused"]
+        self.assertIn("1000000000000 rows take", refusal)
+        self.assertIn(refusal, planned.stderr)
+        self.assertEqual(ran.returncode, 65, ran)
+        self.assertIn(refusal, ran.stderr)
+
     def test_plan_with_keys_that_are_set(self):
         spec = self.write(SPEC)
         ended = sigmasweep("plan", "--set", "N=[2, 5]", spec, "--set", "method=ed", "--set", "where=sigma > 0.5", "--json")

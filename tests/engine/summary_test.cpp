@@ -135,5 +135,14 @@ TEST(ReadableDuration, FromMicrosecondsToDays) {
   EXPECT_EQ(readable_duration(std::numeric_limits<double>::infinity()), "?");
 }
 
+TEST(Summary, TellsABusyMachineFromABadSchedule) {
+  const std::vector rows{row(1, 1, 0.5)};
+  // 2 ranks, 100 s: one has nothing to do half of the time, both share their processor with one other process.
+  const Work work{.rows = 1, .cpu_seconds = 75.0, .longest_seconds = 1.0, .computing_seconds = 150.0};
+  const std::string text = summary(rows, work, 2, 100.0);
+  EXPECT_NE(text.find("ranks had a row 75 % of the time, and then 50 % of a processor each"), std::string::npos)
+      << text;
+}
+
 }  // namespace
 }  // namespace sigmasweep

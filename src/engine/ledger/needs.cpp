@@ -13,8 +13,7 @@
 namespace sigmasweep {
 namespace {
 
-constexpr double program_bytes = 80e6;       // the program, MPI and HDF5
-constexpr double transfer_bytes = 2 * 32e6;  // buffers of the table
+constexpr double program_bytes = 80e6;       // the program, MPI and HDF5 with their buffers
 /// For each row: whether it is there, its place in the schedule, and after that the keys and times of the summary.
 constexpr double bookkeeping_bytes = 1.0 + std::max(sizeof(ScheduledTask), 3 * sizeof(double)) + 2 * sizeof(double);
 /// Measured on one core of a Zen 5 machine: the start of Open MPI, and what is done for each row before the first.
@@ -26,8 +25,8 @@ double table_bytes(const Sweep& sweep) { return double(packed_size(sweep.columns
 
 SweepNeeds needs_of(const Sweep& sweep, std::uint64_t rows, int ranks) {
   const double count = double(rows), packed = count * table_bytes(sweep);
-  return {.manager_bytes = program_bytes + transfer_bytes + packed + count * bookkeeping_bytes,
-          .rank_bytes = program_bytes + transfer_bytes + packed / ranks,
+  return {.manager_bytes = program_bytes + packed + count * bookkeeping_bytes,
+          .rank_bytes = program_bytes + packed / ranks,
           .disk_bytes = packed + count * double(make_header({}).record_size) + 2.0 * double(sweep.text().size()),
           .seconds_before = seconds_to_begin + count * seconds_a_row};
 }

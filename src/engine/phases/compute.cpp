@@ -13,6 +13,7 @@
 #include "engine/phases/phase.hpp"
 #include "engine/report/progress.hpp"
 #include "engine/report/remarks.hpp"
+#include "mpi/run_collective.hpp"
 #include "sigmasweep/solve/cost.hpp"
 #include "store/run_notes/run_notes.hpp"
 #include "sweep/schedule.hpp"
@@ -114,10 +115,13 @@ SweepJob sweep_job(const World& world, const Sweep& sweep, BatchComputer& comput
   return job;
 }
 
-/// Why a run ends without all rows, as part of a sentence; empty if it was told to stop.
-std::string why_stopped(const StopRequest& stop, const Computed& computed) {
+/// Why a run that began to compute so many seconds after its start ends without all rows, as part of a sentence; empty
+/// if it was told to stop.
+std::string why_stopped(const StopRequest& stop, const Computed& computed, double begun_after) {
   if (!stop.made()) return ", the others would not end in time";
-  if (StopRequest::Clock::now() < stop.end() || computed.work.rows > 0 || computed.wall_seconds < 0.1) return {};
+  if (StopRequest::Clock::now() < stop.end() || computed.work.rows > 0) return {};
+  if (computed.wall_seconds < 0.1)
+    return fmt::format(", its time was over before the first: to begin took {}", readable_duration(begun_after));
   return fmt::format(", none of which within the {} there were: it needs a longer time limit",
                      readable_duration(computed.wall_seconds));
 }
@@ -142,16 +146,20 @@ Computed compute_rows(const World& world, OpenSweep& open, NotedRun& noted, std:
                    Progress(missing, schedule->total_seconds(), reporter), notes);
   });
   const auto start = std::chrono::steady_clock::now();
+  const double begun_after = std::chrono::duration<double>(start - open.steady_start).count();
   distribute(world, schedule ? &*schedule : nullptr, job);
   Computed computed;
   computed.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::uint64_t nanoseconds =
+      run_collective(world.comm(), [&] { return static_cast<std::uint64_t>(1e9 * computer.computing_seconds()); });
   on_manager(world, [&] {
     intake->finish();
     computed.work = intake->work();
+    computed.work.computing_seconds = 1e-9 * static_cast<double>(nanoseconds);
     computed.is_complete = open.ledger->is_complete();
     if (computed.is_complete) return;
     reporter.warn(fmt::format("stopped on purpose with {} of {} rows done{}; {} to go on", open.ledger->there(),
-                              open.rows(), why_stopped(stop, computed), open.restart_hint()));
+                              open.rows(), why_stopped(stop, computed, begun_after), open.restart_hint()));
   });
   computed.is_complete = world.broadcast(std::int64_t{computed.is_complete}) != 0;
   return computed;

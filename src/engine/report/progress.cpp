@@ -62,9 +62,9 @@ void Progress::finish() { draw(true); }
 
 double Progress::fraction() const {
   if (total_rows_ == 0 || rows_ >= total_rows_) return 1.0;
-  const double fraction =
-      total_seconds_ > 0.0 ? seconds_ / total_seconds_ : static_cast<double>(rows_) / static_cast<double>(total_rows_);
-  return std::clamp(fraction, 0.0, 1.0);
+  const double of_rows = static_cast<double>(rows_) / static_cast<double>(total_rows_);
+  const double of_cost = total_seconds_ > 0.0 ? seconds_ / total_seconds_ : of_rows;
+  return std::clamp(0.5 * (of_rows + of_cost), 0.0, 1.0);
 }
 
 RunProgress Progress::now() const {

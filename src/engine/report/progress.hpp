@@ -13,8 +13,9 @@ namespace sigmasweep {
 void announce(const Reporter& reporter, std::uint64_t rows, int ranks);
 
 /// The progress of a run: on a terminal a bar with rows/s and time left; elsewhere a log line at the start, before the
-/// first second is over, every ten seconds and at the end. Time left is the predicted cost of the rows that are left,
-/// scaled by the speed measured so far. It does not follow from counts, because the largest rows go first.
+/// first second is over, every ten seconds and at the end. Time left is that of the part that is left at the speed so
+/// far. The part is the mean of that of the rows and that of their predicted cost: counts alone are wrong because the
+/// largest rows go first, and costs alone where the predictions are.
 class Progress {
  public:
   Progress(std::uint64_t total_rows, double total_predicted_seconds, Reporter reporter);

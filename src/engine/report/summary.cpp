@@ -84,13 +84,22 @@ std::string by_status(const RowSource& rows) {
   return lines;
 }
 
+/// Where the time went that is not the best possible.
+std::string losses(const Work& work, int ranks, double wall_seconds) {
+  if (!(work.computing_seconds > 0.0)) return {};
+  return fmt::format("  ranks had a row {:.0f} % of the time, and then {:.0f} % of a processor each\n",
+                     100.0 * std::min(1.0, work.computing_seconds / (ranks * wall_seconds)),
+                     100.0 * std::min(1.0, work.cpu_seconds / work.computing_seconds));
+}
+
 std::string makespan(const Work& work, int ranks, double wall_seconds) {
   if (work.rows == 0 || wall_seconds <= 0.0) return {};
   const double bound = least_seconds(work, ranks);
   return fmt::format("  computed {} rows in {} on {} rank{}: {:.1f} % of the best possible, {} (sum {}, longest {})\n",
                      work.rows, readable_duration(wall_seconds), ranks, ranks == 1 ? "" : "s",
                      100.0 * bound / wall_seconds, readable_duration(bound), readable_duration(work.cpu_seconds),
-                     readable_duration(work.longest_seconds));
+                     readable_duration(work.longest_seconds)) +
+         losses(work, ranks, wall_seconds);
 }
 
 std::string universal(const Universality& found) {

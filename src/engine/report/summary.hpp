@@ -25,6 +25,7 @@ Universality universality(const RowSource& rows);
 struct Work {
   std::uint64_t rows = 0;
   double cpu_seconds = 0.0, longest_seconds = 0.0;
+  double computing_seconds = 0.0;  ///< time by the clock that all ranks together spent on rows; 0: not known
   void add(const Row& row);
 };
 
@@ -44,8 +45,8 @@ std::vector<std::pair<std::string_view, std::uint64_t>> count_by_status(const Ro
 double least_seconds(const Work& work, int ranks);
 
 /// The text at the end of a sweep: rows by status, quantiles of error and run time, makespan against its lower bound
-/// max(sum/ranks, longest), universality. `wall_seconds` is the time that the computing of `work` took on `ranks`
-/// ranks, 0 when nothing was computed.
+/// max(sum/ranks, longest) and what was lost to the schedule and to a busy machine, universality. `wall_seconds` is the
+/// time that the computing of `work` took on `ranks` ranks, 0 when nothing was computed.
 std::string summary(const RowSource& rows, const Work& work, int ranks, double wall_seconds);
 /// The same when all rows were computed in that time.
 std::string summary(const RowSource& rows, int ranks, double wall_seconds);

@@ -23,6 +23,7 @@ Json work_json(const RunEnd& end) {
           {"wall_seconds", end.wall_seconds},
           {"cpu_seconds", end.work.cpu_seconds},
           {"longest_seconds", end.work.longest_seconds},
+          {"computing_seconds", end.work.computing_seconds},
           {"best_possible_seconds", least_seconds(end.work, end.ranks)}};
 }
 
