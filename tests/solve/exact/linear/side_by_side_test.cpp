@@ -11,6 +11,7 @@
 
 #include "assembly/energies.hpp"
 #include "base/quad.hpp"
+#include "sigmasweep/solve/simulate.hpp"
 #include "solve/exact/linear/collision.hpp"
 #include "solve/exact/linear/side_by_side/batch.hpp"
 #include "solve/exact/linear/side_by_side/lanes/advance.hpp"
@@ -98,6 +99,22 @@ TEST(SideBySide, CompanyAndOrderChangeNoBit) {
   for (const std::size_t i : order) shuffled.push_back(tuples[i]);
   const auto results = side_by_side(shuffled, 0);
   for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(bits(results[i]), bits(sorted[order[i]]));
+}
+
+// Among them some that go another way: many beads, unequal ones, and such as miss the tolerance at first.
+TEST(SideBySide, ManyTuplesGiveTheBitsOfEachAlone) {
+  auto tuples = random_tuples(6, 120, 12.0);
+  for (std::size_t i = 0; i < tuples.size(); i += 10) {
+    Parameters p = tuples[i];
+    if (i % 3 == 0) p.N = 40;
+    if (i % 3 == 1) p.width = 0.2 * p.d;
+    if (i % 3 == 2) p.tolerance = 1e-15;
+    tuples[i] = complete(p, GapParameter::sigma);
+  }
+  std::vector<SimulationResult> results(tuples.size());
+  simulate_many(tuples, results);
+  for (std::size_t i = 0; i < tuples.size(); ++i)
+    ASSERT_EQ(bits(results[i]), bits(simulate(tuples[i]))) << "tuple " << i;
 }
 
 TEST(SideBySide, UnitsChangeNoBit) {
