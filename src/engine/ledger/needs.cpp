@@ -13,7 +13,7 @@
 namespace sigmasweep {
 namespace {
 
-constexpr double program_bytes = 80e6;       // the program, MPI and HDF5 with their buffers
+constexpr double program_bytes = 80e6;  // the program, MPI and HDF5 with their buffers
 /// For each row: whether it is there, its place in the schedule, and after that the keys and times of the summary.
 constexpr double bookkeeping_bytes = 1.0 + std::max(sizeof(ScheduledTask), 3 * sizeof(double)) + 2 * sizeof(double);
 /// Measured on one core of a Zen 5 machine: the start of Open MPI, and what is done for each row before the first.
