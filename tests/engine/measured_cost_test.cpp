@@ -9,12 +9,13 @@
 namespace sigmasweep {
 namespace {
 
+/// Hard spheres are computed one by one, whatever is predicted.
 constexpr const char* spec = R"(
 [sweep]
-method = ["ed", "md"]
+method = "ed"
 v0 = 0.1
 tc = 1e-5
-epsilon = { from = 0.7, to = 0.9, count = 20 }
+epsilon = { from = 0.7, to = 0.9, count = 40 }
 N = [2, 5, 10]
 sigma = [0.5, 2.0]
 )";
@@ -31,8 +32,9 @@ TEST(MeasuredCost, SeesPredictionsThatAreWrongAThousandfold) {
   const MeasuredCost high = measure_cost(sweep, tasks_of(sweep, 1e3), 30);
   ASSERT_EQ(low.ratios.size(), 30u);
   EXPECT_TRUE(std::ranges::is_sorted(low.ratios));
-  EXPECT_GT(low.mean, 30.0);  // a hundred, with three for a machine that is busy or slow
-  EXPECT_LT(high.mean, 0.03);
+  // A million, with ten for a machine that is busy meanwhile.
+  EXPECT_GT(low.mean / high.mean, 1e5);
+  EXPECT_LT(low.mean / high.mean, 1e7);
   EXPECT_GT(high.mean, 0.0);
   EXPECT_LE(low.quantile(0.1), low.quantile(0.9));
   EXPECT_EQ(low.quantile(0.0), low.ratios.front());

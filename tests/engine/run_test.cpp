@@ -155,7 +155,7 @@ TEST_F(Run, IsQuietOnRequest) {
 TEST_F(Run, WithoutTimeStopsAndGoesOnLater) {
   options_.max_seconds = 0.0;
   EXPECT_EQ(run(), exit_code::stopped);
-  EXPECT_TRUE(has_printed("stopped on purpose with 0 of 6 rows done; run it again to go on")) << printed_;
+  EXPECT_TRUE(has_printed("stopped on purpose with 0 of 6 rows done, its time was over before the first")) << printed_;
   EXPECT_FALSE(fs::exists(options_.output));
   wait_for_all();
   options_.max_seconds.reset();

@@ -112,7 +112,7 @@ class Simulate(unittest.TestCase):
 
         other = threading.Thread(target=beat)
         other.start()
-        ss.simulate(N=30, epsilon=0.9, v0=1.0, tc=1e-5, sigma=np.linspace(0.3, 0.4, 500), threads=1)
+        ss.simulate(N=60, epsilon=0.9, v0=1.0, tc=1e-5, sigma=np.linspace(0.3, 0.4, 200), threads=1)
         done.set()
         other.join()
         self.assertGreater(len(beats), 2)

@@ -17,7 +17,10 @@ constexpr double prefetch_seconds = 0.05;      // fifty times the manager's long
 Dispatcher::Dispatcher(Schedule& schedule, int ranks, std::function<double()> max_seconds)
     : schedule_(schedule), max_seconds_(std::move(max_seconds)), rank_(static_cast<std::size_t>(ranks)), out_(ranks) {}
 
+/// A rank that is asked to give back tasks gets none before it has answered: its answer counts from the end of the
+/// tasks that it had when it was asked.
 bool Dispatcher::wants_chunk(int rank) const {
+  if (is_asked(rank)) return false;
   if (is_idle(rank)) return true;
   const Rank& its = rank_[static_cast<std::size_t>(rank)];
   return out_.count(rank) <= its.last_chunk_tasks && its.last_chunk_seconds < prefetch_seconds;
@@ -63,7 +66,7 @@ bool Dispatcher::answered(int rank) {
 }
 
 Dispatcher::Tasks Dispatcher::next_overdue(int rank, double seconds) {
-  return hand_out(rank, out_.take_overdue(seconds));
+  return is_asked(rank) ? Tasks{} : hand_out(rank, out_.take_overdue(seconds));
 }
 
 Dispatcher::Tasks Dispatcher::hand_out(int rank, Tasks tasks) {

@@ -49,6 +49,7 @@ class Dispatcher {
   bool is_idle(int rank) const { return out_.count(rank) == 0; }
   /// How many ranks have been asked for tasks, and have not answered.
   int asked() const { return asked_; }
+  bool is_asked(int rank) const { return rank_[static_cast<std::size_t>(rank)].is_asked; }
 
  private:
   struct Rank {

@@ -85,7 +85,7 @@ void Manager::mark_gone(int rank) {
 }
 
 void Manager::supply(int rank) {
-  if (worker_[rank].dismissed) return;
+  if (worker_[rank].dismissed || dispatcher_.is_asked(rank)) return;
   for (auto tasks = dispatcher_.next(rank); !tasks.empty(); tasks = dispatcher_.next(rank)) give(rank, tasks);
   // A worker that has nothing to do stays: its rank may still be asked to stop the others.
   if (dispatcher_.is_idle(rank) && dispatcher_.out().all_are_back()) dismiss_all();
@@ -112,12 +112,14 @@ void Manager::ask_for_tasks() {
 
 void Manager::take_back(int rank, std::uint64_t tasks) {
   dispatcher_.given_back(rank, tasks);
-  if (!stopped_) supply_idle();
+  if (stopped_) return;
+  supply_idle();
+  supply(rank);
 }
 
 void Manager::copy_overdue_tasks() {
   for (int rank = 0; rank < workers_.size(); ++rank) {
-    if (!is_idle(rank)) continue;  // it has been supplied: there is nothing else
+    if (!is_idle(rank) || dispatcher_.is_asked(rank)) continue;  // an idle one has been supplied: there is nothing else
     const auto tasks = dispatcher_.next_overdue(rank, job_.patience.overdue);
     if (tasks.empty()) return;  // nor is there anything for the other idle ranks
     give(rank, tasks);

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <map>
 #include <numeric>
+#include <random>
 #include <sstream>
 
 #include "engine/distribute/task_queue.hpp"
@@ -100,6 +101,7 @@ class Replay {
           dispatcher_.given_back(rank, given);
           for (int other = 0; other < static_cast<int>(ranks_.size()); ++other)
             if (dispatcher_.is_idle(other)) supply(other);
+          supply(rank);
           share();
         });
       });
@@ -171,6 +173,39 @@ TEST(Dispatcher, ARankBehindALongTaskKeepsNothingThatOthersCouldDo) {
   seconds[0] = 1.0;
   EXPECT_LT(Replay(tasks, seconds, 2).makespan(), 1.0 + 10 * latency);
   EXPECT_GT(Replay(tasks, seconds, 2, false).makespan(), 1.1);
+}
+
+TEST(Dispatcher, EachRowIsComputedOnceWhateverTheTimes) {
+  const unsigned seed = std::random_device{}();
+  RecordProperty("seed", std::to_string(seed));
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::minstd_rand random(seed);
+  for (int trial = 0; trial < 300; ++trial) {
+    const std::size_t rows = 1 + random() % 600;
+    std::vector<ScheduledTask> tasks;
+    std::vector<double> seconds;
+    for (std::uint64_t row = 0; row < rows; ++row) {
+      tasks.push_back({row, 1e-6 * static_cast<double>(1 + random() % 1000)});
+      seconds.push_back(1e-6 * static_cast<double>(random() % 10 == 0 ? random() % 8000 : random() % 100));
+    }
+    Replay replay(tasks, seconds, static_cast<int>(2 + random() % 6));
+    replay.makespan();
+    ASSERT_EQ(replay.computed().size(), rows);
+    for (const auto& [row, times] : replay.computed()) ASSERT_EQ(times, 1) << row;
+  }
+}
+
+TEST(Dispatcher, ARankThatIsAskedGetsNothingBeforeItHasAnswered) {
+  Schedule schedule({{0, 1e-6}, {1, 1e-6}, {2, 1e-6}, {3, 1e-6}}, 2, 2e-6, 2e-6);
+  Dispatcher dispatcher(schedule, 2);
+  const auto first = dispatcher.next(0);
+  ASSERT_GE(first.size(), 2u);
+  EXPECT_EQ(dispatcher.next_to_give_back(), 0);
+  for (std::size_t k = 0; k < first.size(); ++k) EXPECT_TRUE(dispatcher.answered(0));
+  EXPECT_TRUE(dispatcher.next(0).empty());
+  EXPECT_TRUE(dispatcher.next_overdue(0, 0.0).empty());
+  dispatcher.given_back(0, 0);
+  EXPECT_FALSE(dispatcher.next(0).empty());
 }
 
 TEST(Dispatcher, TasksThatAreGivenBackAreHandedOutWithinTheTimeThatIsLeft) {
