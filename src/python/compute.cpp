@@ -88,7 +88,8 @@ class Computation {
     std::vector<SimulationResult> results(tuples.size());
     simulate_many(tuples, results);
     for (std::size_t i = 0; i < tuples.size(); ++i)
-      pack({.index = first + i, .parameters = tuples[i], .result = results[i], .timing = {}}, &rows_[(first + i) * size_]);
+      pack({.index = first + i, .parameters = tuples[i], .result = results[i], .timing = {}},
+           &rows_[(first + i) * size_]);
   }
 
   void pack(const Row& row, std::byte* to) const {
