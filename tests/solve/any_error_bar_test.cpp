@@ -118,6 +118,22 @@ void expect_truth(const Parameters& p) {
   EXPECT_LE(true_error(p, c), c.eps_eff_error) << c.eps_eff_error;
 }
 
+// Restitutions so small that beads collide again within 1e-32 of the time so far: which collisions of the TC model
+// dissipate depends on an order that no clock resolves.
+TEST(FoundErrorBar, TheTcModelWithTinyRestitution) {
+  Parameters p = found(Method::ed, 5, 0x1.a86d453dff183p-102, 0x1.21168429c24cbp+7, Wall::paper);
+  p.ed_rule = EdRule::tc;
+  p.width = 0.00011;
+  p.seed = 179;
+  expect_truth(p);
+  p = found(Method::ed, 5, 0x1.a86d453dff183p-102, 0x1.0be13c4c090a8p+10, Wall::matched);
+  p.ed_rule = EdRule::tc;
+  p.width = 0x1.13404ea4a8c16p-10;
+  p.seed = 113;
+  p.random_separation = Flag::yes;
+  expect_truth(p);
+}
+
 // A light bead between heavy ones: a thousand contacts, the impulse of each shared out in rounded parts.
 TEST(FoundErrorBar, UnequalElasticBeads) {
   Parameters p = found(Method::md, 17, 1.0, 0x1.ce8a6d0f9d47dp+3, Wall::matched);

@@ -85,12 +85,14 @@ Computed computed_in(const Parameters& p, HardSphereSettings settings, const Run
   return {c, static_cast<double>(run.clock_resolution_error())};
 }
 
-/// The result with the smaller error. If the resolution of time limits both, their difference bounds its error.
-SimulationResult better_of(const Computed& fast, const Computed& wide, double tolerance) {
+/// The result with the smaller error. If the resolution of time limits both, their difference bounds its error; but not
+/// in the TC model, where the order of collisions that neither of them resolves decides which of them dissipate.
+SimulationResult better_of(const Computed& fast, const Computed& wide, const Parameters& p) {
   const SimulationResult &f = fast.result, &w = wide.result;
   const double fast_error = f.eps_eff_error + fast.clock_resolution_error;
-  const double wide_error = w.eps_eff_error + std::min(wide.clock_resolution_error, std::fabs(f.eps_eff - w.eps_eff));
-  return wide_error < fast_error ? with_error(w, wide_error, tolerance) : with_error(f, fast_error, tolerance);
+  const double difference = p.ed_rule == EdRule::tc ? 1.0 : std::fabs(f.eps_eff - w.eps_eff);
+  const double wide_error = w.eps_eff_error + std::min(wide.clock_resolution_error, difference);
+  return wide_error < fast_error ? with_error(w, wide_error, p.tolerance) : with_error(f, fast_error, p.tolerance);
 }
 
 /// In double, and if that is not good enough in the wide type.
@@ -103,7 +105,7 @@ SimulationResult good_enough(const Parameters& p, HardSphereSettings settings, C
   limits.event_limit = quad_limit;
   settings.same_time = 1e-28;
   settings.collapsed_speed = 1e-30;
-  return better_of(fast, computed_in<Quad>(p, settings, limits), p.tolerance);
+  return better_of(fast, computed_in<Quad>(p, settings, limits), p);
 }
 
 }  // namespace
