@@ -15,6 +15,8 @@ constexpr std::size_t most_rows = 256;
 /// Predicted time of a batch, s: what a stop may have to wait for, and what cannot be given back to another rank.
 constexpr double longest_side_by_side = 0.1, longest_one_by_one = 0.01;
 constexpr auto patience = std::chrono::milliseconds(5);  // with rows one by one
+/// With those rows of a batch that cannot go side by side after all. What others have been computed is done again.
+constexpr auto patience_with_slow_rows = std::chrono::milliseconds(100);
 
 bool goes_side_by_side(const SweepTask& task) { return solver_of(task.parameters).run_many != nullptr; }
 
@@ -87,22 +89,30 @@ void BatchComputer::side_by_side(std::span<const SweepTask> batch, const std::fu
                                  std::vector<SweepAnswer>& answers) {
   std::vector<std::uint64_t> rows;
   std::vector<Parameters> parameters;
-  std::vector<ComputeBudget> budgets;
-  double predicted = 0.0;
   for (const SweepTask& task : batch) {
     rows.push_back(task.index);
     parameters.push_back(task.parameters);
-    budgets.push_back(budget_of(task, should_end));
-    predicted += task.predicted_seconds;
   }
   std::vector<SimulationResult> results(batch.size());
-  const double cpu_start = thread_seconds();
+  const double start = thread_seconds();
   notes_.begin(rows);
-  simulate_many(parameters, results, budgets);
-  const double share = (thread_seconds() - cpu_start) / predicted;
+  simulate_together(parameters, results);
+  double predicted = 0.0;
+  for (const SweepTask& task : batch) predicted += task.predicted_seconds;
+  const double share = (thread_seconds() - start) / predicted;
+  const auto began = Clock::now();
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (budgets[i].was_stopped() || results[i].status == Status::not_run) return;  // nor are those behind it
-    answers.push_back(answer_to(batch[i], results[i], batch[i].predicted_seconds * share));
+    double needed = batch[i].predicted_seconds * share;
+    if (results[i].status == Status::not_run) {
+      if (Clock::now() - began > patience_with_slow_rows) return;  // the rest is put back
+      const double alone = thread_seconds();
+      notes_.begin({&rows[i], 1});
+      ComputeBudget budget = budget_of(batch[i], should_end);
+      results[i] = simulate(parameters[i], &budget);
+      if (budget.was_stopped()) return;
+      needed += thread_seconds() - alone;
+    }
+    answers.push_back(answer_to(batch[i], results[i], needed));
   }
 }
 

@@ -37,7 +37,7 @@ double default_time_limit(double predicted_seconds);
 ///
 /// The CPU clock, which is a system call, is read once a batch. The rows of a batch share its CPU time: rows that are
 /// computed one by one in proportion to the time that each took by the steady clock, rows side by side in proportion to
-/// their predicted times.
+/// their predicted times. Rows that drop out of a batch, because they take longer, are computed and timed alone.
 class BatchComputer {
  public:
   /// A row that takes longer than `limit` of CPU time, s, becomes Status::time_limit; by default the limit is

@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -86,7 +87,9 @@ class Computation {
         throw SpecError(fmt::format("tuple {}: {}", k, why));
     }
     std::vector<SimulationResult> results(tuples.size());
-    simulate_many(tuples, results);
+    std::vector<ComputeBudget> budgets(
+        tuples.size(), ComputeBudget(std::numeric_limits<double>::infinity(), [this] { return stop_.load(); }));
+    simulate_many(tuples, results, budgets);
     for (std::size_t i = 0; i < tuples.size(); ++i)
       pack({.index = first + i, .parameters = tuples[i], .result = results[i], .timing = {}},
            &rows_[(first + i) * size_]);

@@ -41,10 +41,8 @@ SimulationResult simulate(const Parameters& parameters, ComputeBudget* budget) n
   }
 }
 
-void simulate_many(std::span<const Parameters> parameters, std::span<SimulationResult> results,
-                   std::span<ComputeBudget> budgets) {
-  if (parameters.size() != results.size() || (!budgets.empty() && budgets.size() != results.size()))
-    throw std::invalid_argument("simulate_many: one result, and one budget, for each tuple");
+void simulate_together(std::span<const Parameters> parameters, std::span<SimulationResult> results) {
+  if (parameters.size() != results.size()) throw std::invalid_argument("simulate_together: one result for each tuple");
   std::ranges::fill(results, without_result(Status::not_run));
   std::vector<std::vector<std::size_t>> places(solvers().size());
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -54,6 +52,13 @@ void simulate_many(std::span<const Parameters> parameters, std::span<SimulationR
   }
   for (std::size_t s = 0; s < places.size(); ++s)
     if (!places[s].empty()) run_side_by_side(*solvers()[s], parameters, results, places[s]);
+}
+
+void simulate_many(std::span<const Parameters> parameters, std::span<SimulationResult> results,
+                   std::span<ComputeBudget> budgets) {
+  if (parameters.size() != results.size() || (!budgets.empty() && budgets.size() != results.size()))
+    throw std::invalid_argument("simulate_many: one result, and one budget, for each tuple");
+  simulate_together(parameters, results);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (results[i].status != Status::not_run) continue;
     ComputeBudget* const budget = budgets.empty() ? nullptr : &budgets[i];

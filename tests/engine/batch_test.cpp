@@ -83,5 +83,37 @@ TEST_F(Batch, HasTheBitsOfOneByOneAndItsRowsShareTheTime) {
   EXPECT_GE(sum, 0.5 * needed);            // the rest is choosing batches and allocating
 }
 
+/// Rows that drop out of a batch, as their tolerance is out of reach, take a thousand times what is predicted.
+std::vector<SweepTask> slow_tasks() {
+  const Sweep sweep = Sweep::parse(
+      "[sweep]\nv0 = 0.1\ntc = 1e-5\nN = 20\nepsilon = { from = 0.6, to = 0.601, count = 200 }\nsigma = 30.0\n",
+      "spec");
+  std::vector<SweepTask> tasks;
+  for (std::uint64_t row = 0; row < sweep.size(); ++row) tasks.push_back({row, 1e-5, sweep.at(row)});
+  return tasks;
+}
+
+TEST_F(Batch, RowsThatDropOutAreBoundedAndTimedAlone) {
+  const std::vector<SweepTask> slow = slow_tasks();
+  BatchComputer computer = this->computer();
+  ASSERT_EQ(computer.size(slow), slow.size());
+  std::vector<SweepAnswer> answers;
+  const double start = thread_seconds();
+  computer.compute(
+      slow, [] { return false; }, answers);
+  ASSERT_GE(answers.size(), 1u);
+  EXPECT_LT(answers.size(), slow.size());  // the others would take many seconds: they are put back
+  double sum = 0.0;
+  for (const SweepAnswer& answer : answers) sum += answer.timing.run_time;
+  EXPECT_LE(sum, thread_seconds() - start);
+}
+
+TEST_F(Batch, StopsBetweenAndWithinRowsThatDropOut) {
+  std::vector<SweepAnswer> answers;
+  computer().compute(
+      slow_tasks(), [] { return true; }, answers);
+  EXPECT_LE(answers.size(), 1u);
+}
+
 }  // namespace
 }  // namespace sigmasweep

@@ -20,4 +20,8 @@ SimulationResult simulate(const Parameters& parameters, ComputeBudget* budget = 
 void simulate_many(std::span<const Parameters> parameters, std::span<SimulationResult> results,
                    std::span<ComputeBudget> budgets = {});
 
+/// The quick part of simulate_many(): the results of those tuples that a solver computes side by side. All others have
+/// Status::not_run, those that take long among them.
+void simulate_together(std::span<const Parameters> parameters, std::span<SimulationResult> results);
+
 }  // namespace sigmasweep

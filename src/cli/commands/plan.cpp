@@ -108,9 +108,10 @@ std::string bytes(double count) {
 }
 
 void print_measured(const MeasuredCost& cost) {
-  fmt::print(
-      "measured       {} rows need {:.3g} times the predicted time (standard error {:.1g}): times are corrected\n",
-      cost.ratios.size(), cost.mean, cost.standard_error);
+  const std::string error =
+      std::isnan(cost.standard_error) ? "" : fmt::format(" (standard error {:.1g})", cost.standard_error);
+  fmt::print("measured       {} rows need {:.3g} times the predicted time{}: times are corrected\n", cost.ratios.size(),
+             cost.mean, error);
   fmt::print("               least {:.3g}, 10 % {:.3g}, median {:.3g}, 90 % {:.3g}, most {:.3g}\n", cost.quantile(0.0),
              cost.quantile(0.1), cost.quantile(0.5), cost.quantile(0.9), cost.quantile(1.0));
   if (cost.given_up > 0) fmt::print("               {} were given up after a minute\n", cost.given_up);

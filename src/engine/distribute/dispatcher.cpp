@@ -9,8 +9,9 @@
 namespace sigmasweep {
 namespace {
 
-constexpr std::size_t max_piece_tasks = 1024;  // ~200 kB a message; at 10 us a task still 10 ms of work
-constexpr double prefetch_seconds = 0.05;      // fifty times the manager's longest sleep
+constexpr std::size_t max_piece_tasks = 1024;       // ~200 kB a message; at 10 us a task still 10 ms of work
+constexpr double prefetch_seconds = 0.05;           // fifty times the manager's longest sleep
+constexpr auto patience = std::chrono::seconds(5);  // with a rank that is asked to give back tasks
 
 }  // namespace
 
@@ -82,6 +83,12 @@ Dispatcher::Tasks Dispatcher::hand_out(int rank, Tasks tasks) {
   return tasks;
 }
 
+int Dispatcher::asked() const {
+  const auto since = Clock::now() - patience;
+  return static_cast<int>(
+      std::ranges::count_if(rank_, [since](const Rank& its) { return its.is_asked && its.asked_at > since; }));
+}
+
 std::optional<int> Dispatcher::next_to_give_back() {
   std::optional<int> most;
   for (int rank = 0; rank < static_cast<int>(rank_.size()); ++rank) {
@@ -92,7 +99,7 @@ std::optional<int> Dispatcher::next_to_give_back() {
   if (!most) return most;
   rank_[static_cast<std::size_t>(*most)].is_asked = true;
   rank_[static_cast<std::size_t>(*most)].has_none = true;  // until more is known
-  ++asked_;
+  rank_[static_cast<std::size_t>(*most)].asked_at = Clock::now();
   return most;
 }
 
@@ -101,7 +108,6 @@ void Dispatcher::given_back(int rank, std::uint64_t count) {
   if (!its.is_asked) throw wire::BadMessage();
   its.is_asked = false;
   if (count > 0) its.has_none = false;
-  --asked_;
   const Tasks tasks = out_.given_back(rank, count);
   pool_.insert(pool_.end(), tasks.begin(), tasks.end());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -47,16 +48,18 @@ class Dispatcher {
 
   const TasksOut& out() const { return out_; }
   bool is_idle(int rank) const { return out_.count(rank) == 0; }
-  /// How many ranks have been asked for tasks, and have not answered.
-  int asked() const { return asked_; }
+  /// How many ranks have been asked for tasks in the last seconds, and have not answered. A silent rank never does.
+  int asked() const;
   bool is_asked(int rank) const { return rank_[static_cast<std::size_t>(rank)].is_asked; }
 
  private:
+  using Clock = std::chrono::steady_clock;
   struct Rank {
     std::size_t last_chunk_tasks = 0;
     double last_chunk_seconds = 0.0;  ///< predicted
     bool is_asked = false;            ///< to give back tasks
-    bool has_none = false;            ///< gave back none, and has neither answered nor got any since it was asked
+    Clock::time_point asked_at{};
+    bool has_none = false;  ///< gave back none, and has neither answered nor got any since it was asked
   };
   bool wants_chunk(int rank) const;
   Tasks next_from_pool(double max_seconds);
@@ -71,7 +74,6 @@ class Dispatcher {
   Schedule::Chunk piece_{};  // of the schedule's chunk, still to be handed out
   Tasks pool_;               // given back
   bool handed_out_ = false;  // anything at all
-  int asked_ = 0;
 };
 
 }  // namespace sigmasweep

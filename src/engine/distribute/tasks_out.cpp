@@ -25,8 +25,8 @@ bool TasksOut::answered(int rank) {
   const Task task = from.tasks.front();
   from.tasks.pop_front();
   from.seconds -= task.predicted_seconds;
-  const auto twin = twice_.find(task.row);
-  return twin == twice_.end() || !std::exchange(twin->second, true);
+  const auto copies = copied_.find(task.row);
+  return copies == copied_.end() || !std::exchange(copies->second.is_answered, true);
 }
 
 std::vector<TasksOut::Task> TasksOut::given_back(int rank, std::uint64_t count) {
@@ -36,19 +36,19 @@ std::vector<TasksOut::Task> TasksOut::given_back(int rank, std::uint64_t count) 
   std::vector<Task> alone;
   for (auto task = first; task != from.tasks.end(); ++task) {
     from.seconds -= task->predicted_seconds;
-    const auto twin = twice_.find(task->row);
-    if (twin == twice_.end())
+    const auto copies = copied_.find(task->row);
+    if (copies == copied_.end())
       alone.push_back(*task);
-    else if (!twin->second)
-      twice_.erase(twin);  // the other rank has it alone now
+    else if (!copies->second.is_answered && --copies->second.out == 1)
+      copied_.erase(copies);  // another rank has it alone now
   }
   from.tasks.erase(first, from.tasks.end());
   return alone;
 }
 
 bool TasksOut::is_missing(const Task& task) const {
-  const auto twin = twice_.find(task.row);
-  return twin == twice_.end() || !twin->second;
+  const auto copies = copied_.find(task.row);
+  return copies == copied_.end() || !copies->second.is_answered;
 }
 
 bool TasksOut::all_are_back() const {
@@ -69,13 +69,23 @@ bool TasksOut::is_overdue(const Rank& rank, double seconds) {
   return waited > std::max(seconds, 4.0 * rank.tasks.front().predicted_seconds);
 }
 
+bool TasksOut::is_overdue(const Copies& copies, const Task& task, double seconds) const {
+  const double waited = std::chrono::duration<double>(Clock::now() - copies.since).count();
+  return !copies.is_answered && waited > std::max(seconds, 4.0 * task.predicted_seconds);
+}
+
 std::vector<TasksOut::Task> TasksOut::take_overdue(double seconds) {
   std::vector<Task> overdue;
   for (const Rank& rank : rank_) {
     if (!overdue.empty()) break;
     if (!is_overdue(rank, seconds)) continue;
-    for (const Task& task : rank.tasks)
-      if (twice_.emplace(task.row, false).second) overdue.push_back(task);
+    for (const Task& task : rank.tasks) {
+      const auto [copies, is_first] = copied_.try_emplace(task.row);
+      if (!is_first && !is_overdue(copies->second, task, seconds)) continue;
+      if (!is_first) ++copies->second.out;
+      copies->second.since = Clock::now();
+      overdue.push_back(task);
+    }
   }
   return overdue;
 }

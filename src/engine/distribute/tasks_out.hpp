@@ -12,7 +12,7 @@
 namespace sigmasweep {
 
 /// The tasks that have been handed out and are not back yet, by rank. A rank answers its tasks in the order in which it
-/// got them. A task may be out twice, on two ranks: then the first answer counts.
+/// got them. A task may be out several times, on as many ranks: then the first answer counts.
 class TasksOut {
  public:
   using Task = ScheduledTask;
@@ -35,7 +35,8 @@ class TasksOut {
   /// The first task of a rank to which there is no answer; nothing if the rank has none.
   std::optional<std::uint64_t> first_missing(int rank) const;
   /// All tasks of a rank that has not answered for longer than `seconds`, and than four times the predicted time of its
-  /// next task; each task once, and empty if there is no such rank. They are to be handed out a second time.
+  /// next task; empty if there is no such rank. They are to be handed out once more; again only if that copy has been
+  /// out for as long, because its rank may be silent, too.
   std::vector<Task> take_overdue(double seconds);
 
  private:
@@ -49,7 +50,14 @@ class TasksOut {
   static bool is_overdue(const Rank& rank, double seconds);
 
   std::vector<Rank> rank_;
-  std::map<std::uint64_t, bool> twice_;  ///< by row, those that are or were out twice: whether there is an answer
+  /// A task that is, or was, with several ranks.
+  struct Copies {
+    bool is_answered = false;
+    int out = 2;
+    Clock::time_point since{};  ///< when the last one was handed out
+  };
+  bool is_overdue(const Copies& copies, const Task& task, double seconds) const;
+  std::map<std::uint64_t, Copies> copied_;  ///< by row
 };
 
 }  // namespace sigmasweep

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <span>
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::size_t neighbours = 64;          // that are computed side by side
 constexpr double longest_neighbourhood = 0.02;  // s, predicted
+constexpr double longest_measured = 0.2;        // s, needed
 
 struct Measurement {
   double predicted = 0.0, needed = 0.0;  ///< s, of `rows` rows
@@ -25,7 +27,7 @@ struct Measurement {
 /// Computes the first of these tasks, if it goes side by side with the next ones.
 Measurement measure(const Sweep& sweep, std::span<const ScheduledTask> tasks, double limit) {
   std::vector<Parameters> parameters;
-  std::vector<ComputeBudget> budgets;
+  std::vector<double> predicted;
   Measurement found;
   for (const ScheduledTask& task : tasks.first(std::min(tasks.size(), neighbours))) {
     const Parameters p = sweep.at(task.row);
@@ -33,16 +35,22 @@ Measurement measure(const Sweep& sweep, std::span<const ScheduledTask> tasks, do
     if (!is_first && (!solver_of(p).run_many || found.predicted + task.predicted_seconds > longest_neighbourhood))
       break;
     parameters.push_back(p);
-    budgets.emplace_back(limit);
+    predicted.push_back(task.predicted_seconds);
     found.predicted += task.predicted_seconds;
     if (!solver_of(p).run_many) break;
   }
-  found.rows = parameters.size();
-  std::vector<SimulationResult> results(found.rows);
+  std::vector<SimulationResult> results(parameters.size());
   const double start = thread_seconds();
-  simulate_many(parameters, results, budgets);
-  found.needed = thread_seconds() - start;
-  found.given_up = std::ranges::any_of(budgets, &ComputeBudget::was_over);
+  simulate_together(parameters, results);
+  found.predicted = 0.0;
+  for (std::size_t i = 0; i < results.size() && (i == 0 || found.needed < longest_measured); ++i) {
+    ComputeBudget budget(limit);
+    if (results[i].status == Status::not_run) results[i] = simulate(parameters[i], &budget);
+    found.given_up = found.given_up || budget.was_over();
+    found.predicted += predicted[i];
+    found.needed = thread_seconds() - start;
+    ++found.rows;
+  }
   return found;
 }
 
@@ -77,7 +85,7 @@ MeasuredCost measure_cost(const Sweep& sweep, std::vector<ScheduledTask> tasks, 
   cost.mean = std::accumulate(cost.ratios.begin(), cost.ratios.end(), 0.0) / n;
   double squares = 0.0;
   for (const double ratio : cost.ratios) squares += (ratio - cost.mean) * (ratio - cost.mean);
-  cost.standard_error = std::sqrt(squares / (n * (n - 1.0)));
+  cost.standard_error = count > 1 ? std::sqrt(squares / (n * (n - 1.0))) : std::numeric_limits<double>::quiet_NaN();
   std::ranges::sort(cost.ratios);
   return cost;
 }

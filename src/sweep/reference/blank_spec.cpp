@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <vector>
 
 #include "model/fields/conditions.hpp"
@@ -92,6 +93,9 @@ std::string comments(const std::vector<spec::KeyInfo>& keys) {
 }  // namespace
 
 std::string blank_spec(Geometry geometry, const std::string& name) {
+  const bool plain = std::ranges::all_of(
+      name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.'; });
+  if (!plain) return blank_spec(geometry, "beads");
   std::string text = fmt::format(
       "# sigmasweep plan {0}.toml     how much is it?\n"
       "# mpirun sigmasweep run {0}.toml     -> {0}.h5\n"

@@ -105,6 +105,10 @@ toml::source_position end_of_keys(const toml::table& sweep) {
 void add(std::string& text, const toml::table& sweep, const Setting& setting) {
   const std::string line = fmt::format("{} = {}", setting.key, setting.value);
   const std::size_t begin = offset_of(text, sweep.source().begin);
+  if (text.substr(begin, 7) == "[sweep." || text.substr(begin, 8) == "[ sweep.") {  // only tables below it have headers
+    text += fmt::format("\n[sweep]\n{}\n", line);
+    return;
+  }
   if (sweep.is_inline()) {
     text.insert(offset_of(text, sweep.source().end) - 1, (sweep.empty() ? "" : ", ") + line);
     return;
@@ -141,7 +145,9 @@ std::string with_settings(std::string_view text, std::span<const std::string> se
     } catch (const toml::parse_error&) {
       return std::string(text);
     }
-    notes += fmt::format("# set on the command line: {} = {}\n", setting.key, setting.value);
+    std::string value = setting.value;
+    std::ranges::replace(value, '\n', ' ');
+    notes += fmt::format("# set on the command line: {} = {}\n", setting.key, value);
   }
   if (!notes.empty() && !changed.empty() && changed.back() != '\n') changed += '\n';
   return changed + notes;

@@ -248,5 +248,19 @@ TEST(TasksOut, OfATaskThatIsOutTwiceAndGivenBackOneIsLeft) {
   EXPECT_TRUE(out.all_are_back());
 }
 
+TEST(TasksOut, ACopyThatIsOverdueIsCopiedAgain) {
+  TasksOut out(3);
+  out.hand_out(0, {0, 1e-9});
+  for (const ScheduledTask& task : out.take_overdue(-1.0)) out.hand_out(1, task);
+  EXPECT_TRUE(out.take_overdue(3600.0).empty());
+  for (const ScheduledTask& task : out.take_overdue(-1.0)) out.hand_out(2, task);
+  EXPECT_EQ(out.count(2), 1u);
+  EXPECT_TRUE(out.given_back(1, 1).empty());  // two others have it
+  EXPECT_FALSE(out.all_are_back());
+  EXPECT_TRUE(out.answered(2));
+  EXPECT_TRUE(out.all_are_back());
+  EXPECT_FALSE(out.answered(0));
+}
+
 }  // namespace
 }  // namespace sigmasweep

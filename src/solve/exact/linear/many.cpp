@@ -34,11 +34,8 @@ void simulate_linear_many(std::span<const Parameters> parameters, std::span<Simu
     }
   std::vector<SimulationResult> theirs(tuples.size());
   simulate_side_by_side(tuples, theirs);
-  for (std::size_t i = 0, next = 0; i < parameters.size(); ++i) {
-    const bool taken = next < places.size() && places[next] == i;
-    if (taken) results[i] = theirs[next++];
-    if (!taken || !is_good(results[i], parameters[i])) results[i] = simulate_exact(parameters[i]);
-  }
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (is_good(theirs[k], tuples[k])) results[places[k]] = theirs[k];
 }
 
 }  // namespace sigmasweep

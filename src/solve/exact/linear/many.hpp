@@ -11,6 +11,7 @@
 namespace sigmasweep {
 
 SimulationResult simulate_linear(const Parameters& parameters, ComputeBudget* budget);
+/// Leaves Status::not_run where the tuple must be computed alone.
 void simulate_linear_many(std::span<const Parameters> parameters, std::span<SimulationResult> results);
 
 }  // namespace sigmasweep
