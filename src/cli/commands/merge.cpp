@@ -108,7 +108,7 @@ int merge(const MergeOptions& options) {
     for (std::size_t i = 0; i < options.parts.size(); ++i) {
       if (StopSignals::came())
         throw Error(exit_code::stopped, "stopped before all parts were read; nothing was written");
-      const Table part = i == 0 ? std::move(first) : read_part(options.parts[i], &info);
+      const Table part = i == 0 ? std::exchange(first, {}) : read_part(options.parts[i], &info);
       add(rows, part, options.parts[i]);
       slices = std::max(slices, part.info.slice.count);
       info.start = std::min(info.start, part.info.start);  // ISO 8601 sorts as text

@@ -1,5 +1,6 @@
 #include "engine/ledger/usable_memory.hpp"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -33,7 +34,7 @@ double limit_of_control_group() {
     const std::string root = is_old ? "/sys/fs/cgroup/memory" : "/sys/fs/cgroup";
     const std::string name = is_old ? "/memory.limit_in_bytes" : "/memory.max";
     for (std::string group = line.substr(second + 1);; group.resize(group.rfind('/'))) {
-      least = std::min(least, limit_in(root + group + name));
+      least = std::min(least, limit_in(fmt::format("{}{}{}", root, group, name)));
       if (group.find('/') == std::string::npos) break;
     }
   }
