@@ -6,13 +6,13 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <cstring>
 #include <exception>
 #include <limits>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "model/packing.hpp"
 #include "sigmasweep/assembly/complete.hpp"
 #include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/base/errors.hpp"
@@ -23,25 +23,13 @@ namespace {
 
 constexpr std::size_t chunk = 256;  // tuples that a thread takes at a time
 
-std::size_t size_of(const FieldType& type) {
-  switch (type.storage) {
-    case FieldType::Storage::enumeration: return 1;
-    case FieldType::Storage::integer32: return 4;
-    default: return 8;
-  }
-}
-
-bool is_given_sigma(std::span<const Given> given) {
-  return std::ranges::any_of(given, [](const Given& one) { return one.field->name == "sigma"; });
-}
-
 /// The work of all threads.
 class Computation {
  public:
   Computation(std::span<const Given> given, std::size_t count, std::span<const Field> columns,
               std::span<std::byte> rows)
       : given_(given),
-        gap_(is_given_sigma(given) ? GapParameter::sigma : GapParameter::s0),
+        gap_(is_given(given, "sigma") ? GapParameter::sigma : GapParameter::s0),
         count_(count),
         columns_(columns),
         rows_(rows),
@@ -91,15 +79,8 @@ class Computation {
         tuples.size(), ComputeBudget(std::numeric_limits<double>::infinity(), [this] { return stop_.load(); }));
     simulate_many(tuples, results, budgets);
     for (std::size_t i = 0; i < tuples.size(); ++i)
-      pack({.index = first + i, .parameters = tuples[i], .result = results[i], .timing = {}},
+      pack(columns_, {.index = first + i, .parameters = tuples[i], .result = results[i], .timing = {}},
            &rows_[(first + i) * size_]);
-  }
-
-  void pack(const Row& row, std::byte* to) const {
-    for (const Field& field : columns_) {
-      std::memcpy(to, field_access::member(field, row), size_of(field.type));
-      to += size_of(field.type);
-    }
   }
 
   std::span<const Given> given_;
@@ -117,12 +98,6 @@ class Computation {
 };
 
 }  // namespace
-
-std::size_t packed_size(std::span<const Field> columns) {
-  std::size_t size = 0;
-  for (const Field& field : columns) size += size_of(field.type);
-  return size;
-}
 
 bool compute(std::span<const Given> given, std::size_t count, std::span<const Field> columns, std::span<std::byte> rows,
              int threads, const std::function<bool()>& interrupted) {

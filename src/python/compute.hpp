@@ -8,10 +8,7 @@
 
 namespace sigmasweep::python {
 
-/// Bytes of a row of these columns, one after the other without gaps.
-std::size_t packed_size(std::span<const Field> columns);
-
-/// Computes the tuples on some threads and packs the columns of each into `rows`. `interrupted` is asked ten times a
+/// Computes the tuples on some threads and pack()s the columns of each into `rows`. `interrupted` is asked ten times a
 /// second on the calling thread; where it is true the rest is left out, and the result is false. Throws SpecError for a
 /// tuple whose values are not allowed.
 bool compute(std::span<const Given> given, std::size_t count, std::span<const Field> columns, std::span<std::byte> rows,

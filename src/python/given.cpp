@@ -27,10 +27,6 @@ bool varies(const Given& given) {
   return std::visit([](const auto& values) { return values.size() > 1; }, given.values);
 }
 
-bool is_given(std::span<const Given> given, std::string_view name) {
-  return std::ranges::any_of(given, [&](const Given& one) { return one.field->name == name; });
-}
-
 /// The value in TOML.
 std::string toml_value(const Given& given, std::size_t k) {
   const FieldType& type = given.field->type;
@@ -57,6 +53,10 @@ std::vector<std::size_t> representative_tuples(std::span<const Given> given, std
 }
 
 }  // namespace
+
+bool is_given(std::span<const Given> given, std::string_view name) {
+  return std::ranges::any_of(given, [&](const Given& one) { return one.field->name == name; });
+}
 
 Parameters tuple_of(std::span<const Given> given, std::size_t k) {
   Parameters p;

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
+#include <string_view>
 #include <variant>
 
 #include "sigmasweep/model/fields.hpp"
@@ -17,6 +17,8 @@ struct Given {
   const ParameterField* field;
   std::variant<std::span<const double>, std::span<const std::int64_t>> values;  ///< one, or one a tuple
 };
+
+bool is_given(std::span<const Given> given, std::string_view name);
 
 /// Tuple `k` of those given, not yet complete.
 Parameters tuple_of(std::span<const Given> given, std::size_t k);

@@ -2,6 +2,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "model/packing.hpp"
 #include "python/compute.hpp"
 #include "python/given.hpp"
 #include "sigmasweep/base/errors.hpp"

@@ -42,7 +42,9 @@ class SettleSchedule {
  public:
   /// The first look is at once.
   SettleSchedule(std::size_t N, std::uint64_t steps_between)
-      : contacts_between_(std::max<std::size_t>(5, N / 8)), steps_between_(steps_between) {}
+      : contacts_between_(contacts_between(N)), steps_between_(steps_between) {}
+
+  static std::uint64_t contacts_between(std::size_t N) { return std::max<std::size_t>(5, N / 8); }
 
   bool is_due(std::uint64_t contacts, std::uint64_t steps) {
     if (contacts < next_contacts_ && steps < next_steps_) return false;

@@ -60,10 +60,11 @@ std::vector<std::string> names_of(const std::vector<Command>& all) {
   return names;
 }
 
-/// Between single quotes of any of the shells.
-std::string quoted(std::string text) {
+/// Without the signs that have a meaning between single quotes in one of the shells.
+std::string plain(std::string_view given) {
+  std::string text(given);
   for (const char sign : {'\'', '[', ']', ':', '\\'}) std::ranges::replace(text, sign, ' ');
-  return fmt::format("'{}'", text);
+  return text;
 }
 
 /// A pattern of the words before the one that is completed, and the words to choose from.
@@ -90,7 +91,7 @@ std::string bash() {
 std::string zsh() {
   std::string text, summaries;
   for (const Command& command : commands()) {
-    summaries += fmt::format(" {}", quoted(std::string(command.name) + "~" + std::string(command.summary)));
+    summaries += fmt::format(" '{}:{}'", command.name, plain(command.summary));
     text += fmt::format("    {}) _arguments", command.name);
     for (const ListedOption& option : options_of(command)) {
       const auto words = words_of(option);
@@ -99,15 +100,12 @@ std::string zsh() {
         text += fmt::format(" '*:{}:{}'", option.names.front(), action);
         continue;
       }
-      for (const std::string& name : option.names) {
-        const std::string meaning = quoted(option.meaning);
-        text += fmt::format(" '{}[{}]{}'", name, meaning.substr(1, meaning.size() - 2),
-                            option.has_value ? fmt::format(":value:{}", action) : "");
-      }
+      const std::string value = option.has_value ? fmt::format(":value:{}", action) : "";
+      for (const std::string& name : option.names)
+        text += fmt::format(" '{}[{}]{}'", name, plain(option.meaning), value);
     }
     text += " ;;\n";
   }
-  std::ranges::replace(summaries, '~', ':');
   return fmt::format(zsh_script, summaries, text);
 }
 
@@ -117,8 +115,8 @@ std::string fish() {
       "complete -c sigmasweep -n __fish_use_subcommand -s h -l help\n"
       "complete -c sigmasweep -n __fish_use_subcommand -l version\n";
   for (const Command& command : commands()) {
-    text += fmt::format("complete -c sigmasweep -n __fish_use_subcommand -f -a {} -d {}\n", command.name,
-                        quoted(std::string(command.summary)));
+    text += fmt::format("complete -c sigmasweep -n __fish_use_subcommand -f -a {} -d '{}'\n", command.name,
+                        plain(command.summary));
     for (const ListedOption& option : options_of(command)) {
       text += fmt::format("complete -c sigmasweep -n '__fish_seen_subcommand_from {}'", command.name);
       const auto words = words_of(option);
@@ -128,7 +126,7 @@ std::string fish() {
               name.starts_with("--") ? fmt::format(" -l {}", name.substr(2)) : fmt::format(" -s {}", name.substr(1));
       if (!option.is_argument() && option.has_value) text += " -r";
       if (!words.empty()) text += fmt::format(" -f -a '{}'", fmt::join(words, " "));
-      text += fmt::format(" -d {}\n", quoted(option.meaning));
+      text += fmt::format(" -d '{}'\n", plain(option.meaning));
     }
   }
   return text;

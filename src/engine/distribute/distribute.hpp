@@ -84,7 +84,7 @@ void set_computing(ByteJob& bytes, const Job<Task, Answer>& job) {
 /// out has come back. When `stop` of any rank says so, no further task is begun: tasks in flight come back if they end
 /// within half a second, the others and the rest of the chunks are dropped. A rank for which no chunk is short enough
 /// gets none any more. A rank that has nothing to do, when all is handed out, gets half of the tasks that the rank with
-/// most of them has not begun. Tasks that are overdue are handed out a second time, to a rank that has nothing to do;
+/// most of them has not begun. Tasks that are overdue are handed out once more, to a rank that has nothing to do;
 /// the first answer counts, and the other is dropped. With one rank the manager computes, whatever `job` says.
 template <class Task, class Answer>
 void distribute(const World& world, Schedule* schedule, const Job<Task, Answer>& job) {

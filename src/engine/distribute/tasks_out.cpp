@@ -63,25 +63,19 @@ std::optional<std::uint64_t> TasksOut::first_missing(int rank) const {
   return std::nullopt;
 }
 
-bool TasksOut::is_overdue(const Rank& rank, double seconds) {
-  if (rank.tasks.empty()) return false;
-  const double waited = std::chrono::duration<double>(Clock::now() - rank.since).count();
-  return waited > std::max(seconds, 4.0 * rank.tasks.front().predicted_seconds);
-}
-
-bool TasksOut::is_overdue(const Copies& copies, const Task& task, double seconds) const {
-  const double waited = std::chrono::duration<double>(Clock::now() - copies.since).count();
-  return !copies.is_answered && waited > std::max(seconds, 4.0 * task.predicted_seconds);
+bool TasksOut::is_overdue(const Task& next, Clock::time_point since, double seconds) {
+  const double waited = std::chrono::duration<double>(Clock::now() - since).count();
+  return waited > std::max(seconds, 4.0 * next.predicted_seconds);
 }
 
 std::vector<TasksOut::Task> TasksOut::take_overdue(double seconds) {
   std::vector<Task> overdue;
   for (const Rank& rank : rank_) {
     if (!overdue.empty()) break;
-    if (!is_overdue(rank, seconds)) continue;
+    if (rank.tasks.empty() || !is_overdue(rank.tasks.front(), rank.since, seconds)) continue;
     for (const Task& task : rank.tasks) {
       const auto [copies, is_first] = copied_.try_emplace(task.row);
-      if (!is_first && !is_overdue(copies->second, task, seconds)) continue;
+      if (!is_first && (copies->second.is_answered || !is_overdue(task, copies->second.since, seconds))) continue;
       if (!is_first) ++copies->second.out;
       copies->second.since = Clock::now();
       overdue.push_back(task);

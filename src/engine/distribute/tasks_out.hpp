@@ -47,7 +47,7 @@ class TasksOut {
     Clock::time_point since{};  ///< when the first of them was begun, at the earliest
   };
   bool is_missing(const Task& task) const;
-  static bool is_overdue(const Rank& rank, double seconds);
+  static bool is_overdue(const Task& next, Clock::time_point since, double seconds);
 
   std::vector<Rank> rank_;
   /// A task that is, or was, with several ranks.
@@ -56,7 +56,6 @@ class TasksOut {
     int out = 2;
     Clock::time_point since{};  ///< when the last one was handed out
   };
-  bool is_overdue(const Copies& copies, const Task& task, double seconds) const;
   std::map<std::uint64_t, Copies> copied_;  ///< by row
 };
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "engine/ledger/usable_memory.hpp"
+#include "model/packing.hpp"
 #include "store/journal/record.hpp"
-#include "store/table/packing.hpp"
 #include "sweep/schedule.hpp"
 
 namespace sigmasweep {

@@ -7,10 +7,10 @@
 #include <cstring>
 #include <type_traits>
 
+#include "model/packing.hpp"
 #include "sigmasweep/sweep/content_key.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/build_info.hpp"
-#include "store/table/packing.hpp"
 
 namespace sigmasweep {
 namespace {

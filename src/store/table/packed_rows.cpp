@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "store/table/packing.hpp"
+#include "model/packing.hpp"
 
 namespace sigmasweep {
 

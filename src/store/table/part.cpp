@@ -7,11 +7,11 @@
 #include <cerrno>
 
 #include "base/file.hpp"
+#include "model/packing.hpp"
 #include "store/hdf5/attributes.hpp"
 #include "store/hdf5/open.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
-#include "store/table/packing.hpp"
 #include "store/table/types.hpp"
 
 namespace sigmasweep {

@@ -7,13 +7,13 @@
 #include <span>
 #include <string_view>
 
+#include "model/packing.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/hdf5/open.hpp"
 #include "store/hdf5/trial.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
-#include "store/table/packing.hpp"
 #include "store/table/types.hpp"
 
 namespace sigmasweep {

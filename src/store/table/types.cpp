@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "model/packing.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "store/table/packing.hpp"
 
 namespace sigmasweep {
 namespace {

@@ -13,10 +13,10 @@
 
 #include "base/atomic_file.hpp"
 #include "base/output/place.hpp"
+#include "model/packing.hpp"
 #include "mpi/rank_group.hpp"
 #include "store/hdf5/handle.hpp"
 #include "store/hdf5/seal.hpp"
-#include "store/table/packing.hpp"
 #include "store/table/part.hpp"
 
 namespace sigmasweep {

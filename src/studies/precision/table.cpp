@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/atomic_file.hpp"
+#include "model/packing.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/hdf5/attributes.hpp"
 #include "store/hdf5/handle.hpp"
@@ -17,7 +18,6 @@
 #include "store/hdf5/trial.hpp"
 #include "store/table/checksum.hpp"
 #include "store/table/info.hpp"
-#include "store/table/packing.hpp"
 #include "store/table/types.hpp"
 
 namespace sigmasweep {

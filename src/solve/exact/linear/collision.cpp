@@ -10,6 +10,7 @@
 #include "assembly/energies.hpp"
 #include "base/quad.hpp"
 #include "solve/exact/linear/column.hpp"
+#include "solve/exact/linear/error_bar.hpp"
 #include "solve/to_si.hpp"
 
 namespace sigmasweep {
@@ -42,12 +43,7 @@ template Outcome<long double> exact_collision_from(const Column<long double>&, s
 
 namespace {
 
-/// One disturbance is one random draw of what the true error is another draw of: the factor makes it an error bar that
-/// holds for 99.9 % of random tuples, at a median of about 30 times the true error.
-constexpr double safety = 16.0;
-/// Roundings of eps_eff that the disturbances do not know of: from velocities to energies, and the drift of the energy,
-/// in roundings a step, as a step's rounded coefficients are the same in many steps.
-constexpr double last_roundings = 8.0, drift = 0.2;
+using error_bar::safety;
 /// Where masses differ, a contact's impulse is shared out in rounded parts.
 constexpr double shares = 3.0;
 /// From this tolerance on short series are tried first: two thirds of the time, and bars of about 1e-5.
@@ -73,10 +69,9 @@ SimulationResult computed_from(const Column<Real>& column, const Parameters& p, 
   for (const Real& v : outcome.velocity) effort.velocity.push_back(static_cast<double>(v));
   SimulationResult c = to_si_result<Real>(outcome, p, column.mass);
   if (c.status != Status::ok) return c;
-  double roundings = last_roundings + drift * double(exact.work()) / double(p.N);
+  double roundings = error_bar::last_roundings + error_bar::drift * double(exact.work()) / double(p.N);
   if constexpr (HasUnequalMasses) roundings += shares * double(outcome.contacts) / double(p.N);
-  // K_over_m and D_n near critical damping: restitution may be small, and has the roundings of numbers of order one.
-  const Real size = p.K_over_m > 0.0 ? Real(1) : Real(c.eps_eff);
+  const Real size = error_bar::size(p, c.eps_eff);
   const Real error = exact.error(safety) + Real(roundings) * Exact::local_error() * size;
   c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;
   set_errors_of_motion(

@@ -8,15 +8,15 @@
 
 #include "assembly/energy_balance.hpp"
 #include "base/random.hpp"
+#include "solve/exact/linear/error_bar.hpp"
 #include "solve/exact/linear/side_by_side/lanes/motion.hpp"
+#include "solve/stop_logic.hpp"
 #include "solve/to_si.hpp"
 
 namespace sigmasweep::side_by_side {
 namespace {
 
-/// As for columns alone (exact/linear/collision.cpp): one disturbance is one random draw of what the true error is
-/// another draw of; and roundings that the disturbance does not know of.
-constexpr double safety = 16.0, last_roundings = 8.0, drift = 0.2;
+using error_bar::safety;
 
 /// Equal columns have equal noise, whatever their units.
 std::uint64_t noise_key(const Column<double>& column) {
@@ -26,9 +26,6 @@ std::uint64_t noise_key(const Column<double>& column) {
   for (const double gap : column.gaps) take(gap);
   return key;
 }
-
-/// Looks are as frequent as those at a column alone (SettleSchedule).
-std::uint64_t between_looks(std::int64_t N) { return static_cast<std::uint64_t>(std::max<std::int64_t>(5, N / 8)); }
 
 std::vector<double> velocities(const LaneState::Numbers& rates, std::size_t N, double step) {
   std::vector<double> v(N);
@@ -45,7 +42,7 @@ Lane::Lane(const Parameters& parameters)
       law_(law_of(parameters)),
       key_(noise_key(column_)),
       step_limit_(static_cast<std::uint64_t>(200 + 20 * parameters.N * parameters.N)),
-      between_looks_(between_looks(parameters.N)),
+      between_looks_(SettleSchedule::contacts_between(column_.contacts())),
       next_look_(between_looks_),
       settle_(1e-3 * parameters.tolerance) {}
 
@@ -77,7 +74,7 @@ bool Lane::wants_look(std::uint64_t contacts, double approach) {
   if (steps_ >= step_limit_) return true;
   const double u = approach / law_->step;
   if (u * u <= parameters_.tolerance * 4.0 * static_cast<double>(column_.N)) return true;
-  next_look_ = (contacts / between_looks_ + 1) * between_looks_;
+  next_look_ = look_after(contacts);
   return false;
 }
 
@@ -86,7 +83,7 @@ bool Lane::ends(const LaneState& state) {
   // Nothing is left at the end: if it is time for a look, the column has settled.
   const bool last_look = state.separated && state.contacts % between_looks_ == 0;
   if (!is_due(state.contacts) && !last_look) return over;
-  next_look_ = (state.contacts / between_looks_ + 1) * between_looks_;
+  next_look_ = look_after(state.contacts);
   const Balance now = balance(state);
   note(now);
   settled_ = now.remaining < settle_;
@@ -125,9 +122,8 @@ SimulationResult Lane::result(const LaneState& state) {
   const Balance now = balance(state);
   note(now);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const double roundings = last_roundings + drift * static_cast<double>(steps_);
-  // K_over_m and D_n near critical damping: restitution may be small, and has the roundings of numbers of order one.
-  const double size = parameters_.K_over_m > 0.0 ? 1.0 : c.eps_eff;
+  const double roundings = error_bar::last_roundings + error_bar::drift * static_cast<double>(steps_);
+  const double size = error_bar::size(parameters_, c.eps_eff);
   c.eps_eff_error = least_ + roundings * epsilon * size + 0.5 * epsilon * c.eps_eff;
   set_errors_of_motion(c, least_of_velocity_ + now.present + roundings * epsilon * size);
   return c;

@@ -44,6 +44,7 @@ class Lane {
     double distance = 0.0, ahead = 0.0, present = 0.0;  ///< of velocities, as in ExactColumn
   };
   Balance balance(const LaneState& state) const;
+  std::uint64_t look_after(std::uint64_t contacts) const { return (contacts / between_looks_ + 1) * between_looks_; }
   /// A look at the state: its error bars count if they are the smallest so far.
   void note(const Balance& now);
 

@@ -1,4 +1,4 @@
-#include "store/table/packing.hpp"
+#include "model/packing.hpp"
 
 #include <cstring>
 #include <type_traits>
