@@ -5,6 +5,6 @@
 namespace sigmasweep {
 
 /// Number of the physics: changes whenever a change of the code may change a result.
-inline constexpr std::uint32_t physics_version = 7;
+inline constexpr std::uint32_t physics_version = 8;
 
 }  // namespace sigmasweep
