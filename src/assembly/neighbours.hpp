@@ -37,8 +37,8 @@ struct Bond {
     using std::sqrt;
     if (length == Real(0)) return {gap0 + dot(R, q), R};
     const Vec2<Real> r = R + q;
-    const Real distance = sqrt(dot(r, r));
-    return {gap0 + (2 * dot(R, q) + dot(q, q)) / (distance + length), (1 / distance) * r};
+    const Real distance = sqrt(dot(r, r)), sum = distance + length, inverse = 1 / (distance * sum);
+    return {gap0 + (2 * dot(R, q) + dot(q, q)) * (distance * inverse), (sum * inverse) * r};
   }
   /// The gap with its rate u = n.w and second derivative n.w' + (w.w - u^2)/|r|, of the motion relative to the partner.
   Motion<Real> gap_of(const BeadState<Real>& relative) const {

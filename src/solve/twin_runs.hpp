@@ -18,6 +18,8 @@ inline constexpr double amplification = 100.0;
 inline constexpr double chance = 4.0;
 /// Local accuracies that the number types can keep.
 inline constexpr double finest_double = 1e-15, finest_long_double = 1e-19;
+/// Of the next finer accuracy: below that which would just do, and the most and the least of a change at a time.
+inline constexpr double safety = 0.1, farthest = 1e-4, nearest = 0.1;
 
 /// Errors of eps_eff that the difference of two runs does not show.
 struct Unseen {
@@ -51,31 +53,31 @@ SimulationResult run_with_error_bars(double accuracy, Solve&& solve, ToResult&& 
 }
 
 /// SimulationResult run.operator()<Real>(accuracy), a collision with eps_eff_error, is called until that meets the
-/// tolerance: with ever finer accuracies, in long double in the end. Status::tolerance_missed with the smallest error
-/// found where none meets it.
+/// tolerance: with ever finer accuracies, `coarsest` or finer, in doubles as long as these keep them, then in long
+/// double. Status::tolerance_missed with the smallest error found where none meets it.
 template <class Run>
-SimulationResult refine_until(double tolerance, Run&& run) {
-  double accuracy = std::max(1e-3 * tolerance, finest_double);
-  SimulationResult c = run.template operator()<double>(accuracy);
-  if (c.status != Status::ok || c.eps_eff_error <= tolerance) return c;
-
-  // What the error grew to from the local accuracy says how fine that must be.
-  const auto wanted = [&] { return 0.2 * accuracy * tolerance / c.eps_eff_error; };
-  const auto is_better = [&](const SimulationResult& finer) {
-    if (finer.status == Status::ok && finer.eps_eff_error < c.eps_eff_error) c = finer;
-    return c.eps_eff_error <= tolerance;
+SimulationResult refine_until(double tolerance, double coarsest, Run&& run) {
+  double accuracy = std::min(std::max(1e-3 * tolerance, finest_double), coarsest);
+  SimulationResult last = run.template operator()<double>(accuracy), best = last;
+  const auto is_wanting = [&] { return last.status == Status::ok && last.eps_eff_error > tolerance; };
+  // What the error grew to from the local accuracy says how fine that must be. But where the runs have their events in
+  // another order, or none of them has converged, they differ by more than that; and by rounding, at the finest.
+  double growth = last.eps_eff_error / accuracy;
+  const auto wanted = [&] { return safety * tolerance / growth; };
+  const auto refine = [&]<class Real>(double finest) {
+    accuracy = std::max(std::clamp(wanted(), farthest * accuracy, nearest * accuracy), finest);
+    last = run.template operator()<Real>(accuracy);
+    const double seen = last.eps_eff_error / accuracy;
+    growth = accuracy > finest ? seen : std::min(seen, growth);
+    if (last.status == Status::ok && last.eps_eff_error < best.eps_eff_error) best = last;
   };
-  if (wanted() >= finest_double) {
-    accuracy = wanted();
-    if (is_better(run.template operator()<double>(accuracy))) return c;
+  while (is_wanting() && accuracy > 2.0 * finest_double) refine.template operator()<double>(finest_double);
+  while (is_wanting() && wanted() >= finest_long_double) refine.template operator()<long double>(finest_long_double);
+  if (best.status == Status::ok && best.eps_eff_error > tolerance) {
+    best.eps_eff_error = std::min(1.0, best.eps_eff_error);
+    best.status = Status::tolerance_missed;
   }
-  if (wanted() >= finest_long_double) {
-    accuracy = wanted();
-    if (is_better(run.template operator()<long double>(accuracy))) return c;
-  }
-  c.eps_eff_error = std::min(1.0, c.eps_eff_error);
-  c.status = Status::tolerance_missed;
-  return c;
+  return best;
 }
 
 }  // namespace sigmasweep

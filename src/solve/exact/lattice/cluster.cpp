@@ -27,7 +27,7 @@ void LatticeCluster<Real, Ground>::clear() {
   beads_.clear();
   guests_.clear();
   contacts_.clear();
-  for (auto* v : {&mass_, &K_, &C_, &C_t_}) v->clear();
+  for (auto* v : {&mass_, &inverse_mass_, &K_, &C_, &C_t_}) v->clear();
   for (auto* v : {&origin_, &q_, &v_}) v->clear();
   next_ = Real(first_span) * lattice_.beads.tc;
 }
@@ -36,6 +36,7 @@ template <class Real, class Ground>
 void LatticeCluster<Real, Ground>::add(std::uint32_t bead, const Vec2<Real>& q, const Vec2<Real>& v) {
   beads_.push_back(bead);
   mass_.push_back(lattice_.mass(bead));
+  inverse_mass_.push_back(1 / mass_.back());
   origin_.push_back(q);
   v_.push_back(v);
 }
@@ -60,10 +61,10 @@ void LatticeCluster<Real, Ground>::add_contact(std::uint32_t first, std::uint32_
   C_t_.push_back(lattice_.D_t * mean);
 }
 
+/// Positions and velocities of all slots.
 template <class Real, class Ground>
-void LatticeCluster<Real, Ground>::slopes(const State& y, State& dy, const Real& at) {
-  const std::size_t count = contacts_.size(), n = beads_.size();
-  work_ += count + n;
+void LatticeCluster<Real, Ground>::place_slots(const State& y, const Real& at) {
+  const std::size_t n = beads_.size();
   for (std::size_t i = 0; i < n; ++i) {
     q_[i] = origin_[i] + vector(y, 0, i);
     v_[i] = vector(y, 1, i);
@@ -73,29 +74,59 @@ void LatticeCluster<Real, Ground>::slopes(const State& y, State& dy, const Real&
     q_[n + 1 + g] = guest.q;
     v_[n + 1 + g] = guest.v;
   }
+}
+
+/// Forces of the linear law, in one pass.
+template <class Real, class Ground>
+void LatticeCluster<Real, Ground>::add_linear_forces() {
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const Contact& c = contacts_[k];
+    const auto [gap, n] = c.with.bond.gap_and_normal(q_[c.first] - q_[c.second]);
+    const Vec2<Real> w = v_[c.first] - v_[c.second];
+    const Real u = -dot(n, w);
+    const Vec2<Real> f = (C_[k] * u - K_[k] * gap) * n - C_t_[k] * (w + u * n);
+    f_[c.first] += f;
+    f_[c.second] -= f;
+  }
+}
+
+/// Forces of any law, whose normal parts are computed together. Leaves overlaps, their rates and normals.
+template <class Real, class Ground>
+void LatticeCluster<Real, Ground>::add_forces() {
+  const std::size_t count = contacts_.size();
   for (std::size_t k = 0; k < count; ++k) {
     const Contact& c = contacts_[k];
-    const Vec2<Real> q = q_[c.first] - q_[c.second];
+    const auto [gap, n] = c.with.bond.gap_and_normal(q_[c.first] - q_[c.second]);
     w_[k] = v_[c.first] - v_[c.second];
-    const auto [gap, n_k] = c.with.bond.gap_and_normal(q);
-    n_[k] = n_k;
+    n_[k] = n;
     x_[k] = -gap;
-    u_[k] = -dot(n_k, w_[k]);
+    u_[k] = -dot(n, w_[k]);
   }
   if (linear_)
     for (std::size_t k = 0; k < count; ++k) F_[k] = K_[k] * x_[k] + C_[k] * u_[k];
   else
     force_(count, K_.data(), C_.data(), x_.data(), u_.data(), F_.data());
-  std::fill(f_.begin(), f_.end(), Vec2<Real>{});
   for (std::size_t k = 0; k < count; ++k) {
     const Vec2<Real> f = F_[k] * n_[k] - C_t_[k] * (w_[k] + u_[k] * n_[k]);
     f_[contacts_[k].first] += f;
     f_[contacts_[k].second] -= f;
   }
+}
+
+template <class Real, class Ground>
+void LatticeCluster<Real, Ground>::slopes(const State& y, State& dy, const Real& at) {
+  const std::size_t n = beads_.size();
+  work_ += contacts_.size() + n;
+  place_slots(y, at);
+  std::fill(f_.begin(), f_.end(), Vec2<Real>{});
+  if (linear_ && !Ground::moves)
+    add_linear_forces();
+  else
+    add_forces();
   std::copy_n(y.begin() + std::ptrdiff_t(2 * n), 2 * n, dy.begin());
   for (std::size_t i = 0; i < n; ++i) {
-    dy[2 * (n + i)] = f_[i].x / mass_[i];
-    dy[2 * (n + i) + 1] = f_[i].z / mass_[i];
+    dy[2 * (n + i)] = inverse_mass_[i] * f_[i].x;
+    dy[2 * (n + i) + 1] = inverse_mass_[i] * f_[i].z;
   }
   if constexpr (Ground::moves) works_of_plate(dy, at);
 }

@@ -112,6 +112,9 @@ class LatticeCluster {
   }
   BeadState<Real> slot_state(std::size_t slot, const Real& t) const;
   void slopes(const State& y, State& dy, const Real& at);
+  void place_slots(const State& y, const Real& at);
+  void add_linear_forces();
+  void add_forces();
   void works_of_plate(State& dy, const Real& at) requires(Ground::moves);
   Real trial(const Real& span);
   Motion<Real> overlap(const Contact& contact, const Real& t) const;
@@ -124,7 +127,7 @@ class LatticeCluster {
   std::vector<std::uint32_t> beads_;
   std::vector<BeadMotion<Real>> guests_;
   std::vector<Contact> contacts_;
-  std::vector<Real> mass_;                     ///< of the slots; of the wall 0
+  std::vector<Real> mass_, inverse_mass_;      ///< of the slots (of the wall 0); of the beads
   std::vector<Real> K_, C_, C_t_, x_, u_, F_;  ///< of the contacts
   std::vector<Vec2<Real>> n_, w_;
   std::vector<Vec2<Real>> origin_;     ///< displacements of the beads where the step begins

@@ -83,9 +83,8 @@ void observe_lattice(const Lattice<double>& lattice, LatticeSamples& samples) {
 }
 
 SimulationResult simulate_lattice(const Parameters& p, ComputeBudget* budget) {
-  return refine_until(p.tolerance, [&]<class Real>(double local_error) {
+  return refine_until(p.tolerance, coarsest, [&]<class Real>(double local_error) {
     const RunLimits limits{.settle = 1e-3 * p.tolerance, .budget = budget};
-    const double finest = std::min(local_error, coarsest);
     const Lattice<Real> lattice = reduced_lattice<Real>(p);
     using Outcome = LatticeOutcome<Real>;
     const auto solve = [&](double accuracy) { return lattice_collision(lattice, accuracy, limits); };
@@ -103,7 +102,7 @@ SimulationResult simulate_lattice(const Parameters& p, ComputeBudget* budget) {
       return Unseen{.late = double(outcome.remainder) + ending_uncertainty(lattice, outcome, other),
                     .places = double(lattice.rounding()) + from_nothing};
     };
-    return run_with_error_bars(finest, solve, to_result, difference, of_velocities, unseen);
+    return run_with_error_bars(local_error, solve, to_result, difference, of_velocities, unseen);
   });
 }
 

@@ -31,7 +31,7 @@ constexpr std::uint64_t long_double_limit = 150'000;
 }  // namespace
 
 SimulationResult simulate_nonlinear(const Parameters& p, ComputeBudget* budget) {
-  return refine_until(p.tolerance, [&]<class Real>(double local_error) {
+  return refine_until(p.tolerance, 1.0, [&]<class Real>(double local_error) {
     RunLimits limits{.settle = 1e-3 * p.tolerance, .budget = budget};
     if (!std::is_same_v<Real, double>) limits.work_limit = long_double_limit;
     const Column<Real> column = reduced_column<Real>(p);

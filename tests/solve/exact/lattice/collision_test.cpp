@@ -225,6 +225,24 @@ TEST(Lattice, KnowsItsOverlapsAndContactTimes) {
   EXPECT_NEAR(outcome.contact_time, 5.0 * t_wall, 1e-8);
 }
 
+/// Beads that meet one by one scatter, and coarse runs differ in the order of their contacts.
+TEST(Lattice, MeetsEveryTolerance) {
+  Parameters p = lattice_of_discs(10, 13, 0.9, 1.0);
+  p.random_separation = Flag::yes;
+  for (const std::int64_t seed : {2, 6, 7}) {
+    p.seed = seed;
+    std::vector<SimulationResult> results;
+    for (const double tolerance : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+      p.tolerance = tolerance;
+      results.push_back(simulate(p));
+      EXPECT_EQ(results.back().status, Status::ok) << seed << ' ' << tolerance;
+      EXPECT_LE(results.back().eps_eff_error, tolerance) << seed;
+    }
+    for (const SimulationResult& c : results)
+      EXPECT_NEAR(c.eps_eff, results.back().eps_eff, c.eps_eff_error + results.back().eps_eff_error) << seed;
+  }
+}
+
 TEST(Lattice, WithoutDampingKeepsItsEnergy) {
   for (const double sigma : {0.0, 0.3, 10.0}) {
     Parameters p = lattice_of_discs(5, 4, 1.0, sigma);
