@@ -14,9 +14,12 @@ constexpr double shortest_span = 1e-4;
 }  // namespace
 
 template <class Real, class Ground>
-LatticeCluster<Real, Ground>::LatticeCluster(const Lattice<Real>& lattice, const Real& accuracy, const Ground& ground)
+LatticeCluster<Real, Ground>::LatticeCluster(const Lattice<Real>& lattice, const Real& accuracy, const Ground& ground,
+                                             const Real& resting_overlap, const Real& slowest)
     : lattice_(lattice),
       accuracy_(accuracy),
+      resting_overlap_(resting_overlap),
+      slowest_(slowest),
       ground_(ground),
       force_(lattice.beads.exponents),
       linear_(lattice.beads.exponents.linear()),
@@ -101,6 +104,10 @@ void LatticeCluster<Real, Ground>::add_forces() {
     n_[k] = n;
     x_[k] = -gap;
     u_[k] = -dot(n, w_[k]);
+    if (Ground::moves && rests_[k] && gap > Real(0)) {
+      x_[k] = u_[k] = Real(0);
+      w_[k] = {};
+    }
   }
   if (linear_)
     for (std::size_t k = 0; k < count; ++k) F_[k] = K_[k] * x_[k] + C_[k] * u_[k];
@@ -162,6 +169,23 @@ Real LatticeCluster<Real, Ground>::trial(const Real& span) {
   return error / accuracy_;
 }
 
+/// On a plate, contacts that neither press nor move have no force where they are open: they stay closed, see
+/// EventSchedule::open_from().
+template <class Real, class Ground>
+void LatticeCluster<Real, Ground>::start_slopes() {
+  rests_.assign(contacts_.size(), 0);
+  slopes(start_, start_slope_, begin_);
+  if constexpr (Ground::moves) {
+    using std::fabs;
+    bool any = false;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      rests_[k] = x_[k] < resting_overlap_ && fabs(u_[k]) < slowest_;
+      any = any || rests_[k];
+    }
+    if (any) slopes(start_, start_slope_, begin_);
+  }
+}
+
 template <class Real, class Ground>
 bool LatticeCluster<Real, Ground>::step(const Real& begin, const Real& longest) {
   using std::pow;
@@ -175,7 +199,7 @@ bool LatticeCluster<Real, Ground>::step(const Real& begin, const Real& longest) 
   for (auto* v : {&x_, &u_, &F_}) v->resize(contacts_.size());
   for (auto* v : {&n_, &w_}) v->resize(contacts_.size());
   for (auto* v : {&q_, &v_, &f_}) v->resize(n + 1 + guests_.size());
-  slopes(start_, start_slope_, begin_);
+  start_slopes();
   Real span = std::min(next_, longest);
   for (int tries = 0; tries < max_tries; ++tries) {
     const Real error = trial(span);

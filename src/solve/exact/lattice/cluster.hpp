@@ -43,7 +43,9 @@ struct BeadMotion {
 template <class Real, class Ground = FixedWall>
 class LatticeCluster {
  public:
-  LatticeCluster(const Lattice<Real>& lattice, const Real& accuracy, const Ground& ground);
+  /// A contact that overlaps by less than `resting_overlap` and moves by less than `slowest` rests.
+  LatticeCluster(const Lattice<Real>& lattice, const Real& accuracy, const Ground& ground, const Real& resting_overlap,
+                 const Real& slowest);
 
   /// No beads, no guests, no contacts.
   void clear();
@@ -113,6 +115,7 @@ class LatticeCluster {
   BeadState<Real> slot_state(std::size_t slot, const Real& t) const;
   void slopes(const State& y, State& dy, const Real& at);
   void place_slots(const State& y, const Real& at);
+  void start_slopes();
   void add_linear_forces();
   void add_forces();
   void works_of_plate(State& dy, const Real& at) requires(Ground::moves);
@@ -120,7 +123,7 @@ class LatticeCluster {
   Motion<Real> overlap(const Contact& contact, const Real& t) const;
 
   const Lattice<Real>& lattice_;
-  Real accuracy_;
+  Real accuracy_, resting_overlap_, slowest_;
   [[no_unique_address]] Ground ground_;
   ContactForces<Real> force_;
   bool linear_;
@@ -130,6 +133,7 @@ class LatticeCluster {
   std::vector<Real> mass_, inverse_mass_;      ///< of the slots (of the wall 0); of the beads
   std::vector<Real> K_, C_, C_t_, x_, u_, F_;  ///< of the contacts
   std::vector<Vec2<Real>> n_, w_;
+  std::vector<std::uint8_t> rests_;    ///< which contacts rest
   std::vector<Vec2<Real>> origin_;     ///< displacements of the beads where the step begins
   std::vector<Vec2<Real>> q_, v_, f_;  ///< of the slots
   State start_, end_, start_slope_, end_slope_;

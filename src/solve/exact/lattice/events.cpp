@@ -121,7 +121,8 @@ bool LatticeEvents<Real, Ground>::locate(Real& t, std::size_t i, const Neighbour
   for (int iteration = 0; iteration < 8 && !whole.empty(); ++iteration) {
     for (const std::size_t id : whole) state_.clusters[id].cluster->cut(t);
     const Motion<Real> now = state_.gap(i, other, t);
-    const Real distance = opens ? Real(-now.x) : Real(now.x + closing_overlap_), rate = opens ? Real(-now.u) : now.u;
+    const Real distance = opens ? Real(schedule_.open_from(now.u) - now.x) : Real(now.x + closing_overlap_),
+               rate = opens ? Real(-now.u) : now.u;
     if (fabs(distance) <= Real(0.1) * closing_overlap_) return true;
     if (!(rate < 0)) return distance <= 0;  // too late for Newton, or a miss
     const Real next = std::max(Real(t - distance / rate), earliest);

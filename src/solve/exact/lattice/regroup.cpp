@@ -32,7 +32,9 @@ std::size_t Regrouping<Real, Ground>::new_cluster(std::size_t count) {
     held.cluster = std::move(large_.back());
     large_.pop_back();
   }
-  if (!held.cluster) held.cluster = std::make_unique<Cluster>(state_.lattice, Real(accuracy_), state_.ground);
+  if (!held.cluster)
+    held.cluster = std::make_unique<Cluster>(state_.lattice, Real(accuracy_), state_.ground,
+                                             schedule_.resting_overlap(), schedule_.slowest());
   held.cluster->clear();
   held.counted = held.cluster->work_done();
   held.in_use = true;

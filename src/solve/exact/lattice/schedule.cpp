@@ -10,9 +10,10 @@ namespace {
 
 /// Beads that meet more slowly than `slowest_` do not touch before they overlap by so many closing overlaps: rounding
 /// moves beads that lie side by side that fast, and a row of them without gaps would be at it for ever. It is next to
-/// no energy: of the order of the accuracy. On a plate, where beads press against each other that slowly, it is less.
+/// no energy: of the order of the accuracy. On a plate it would be pumped in again and again: there such contacts stay
+/// closed instead (open_from()).
 template <class Ground>
-constexpr double shallow = Ground::moves ? 1e3 : 1e6;
+constexpr double shallow = Ground::moves ? 1.0 : 1e6;
 
 }  // namespace
 
@@ -94,11 +95,21 @@ template <class Real, class Ground>
 Real EventSchedule<Real, Ground>::opening(std::size_t i, const Neighbour<Real>& other, const Real& t,
                                           const Real& end) const {
   const Motion<Real> first = state_.gap(i, other, t), last = state_.gap(i, other, end);
-  const Real shift = std::max(first.x, Real(0)), span = end - t;
-  const Motion<Real> from{shift - first.x, -first.u, -first.a}, to{shift - last.x, -last.u, -last.a};
-  if (Quintic<Real>::stays_positive(from, to, span)) return State::never;
-  const auto when = FirstRoot<Real, 5>::find(Quintic<Real>(from, to, span).c, Real(1));
-  return when ? t + *when * span : State::never;
+  const Real span = end - t;
+  const auto reaches = [&](const Real& gap, Real& rate) {
+    const Real shift = std::max(first.x, gap);
+    const Motion<Real> from{shift - first.x, -first.u, -first.a}, to{shift - last.x, -last.u, -last.a};
+    if (Quintic<Real>::stays_positive(from, to, span)) return State::never;
+    const Quintic<Real> left(from, to, span);
+    const auto when = FirstRoot<Real, 5>::find(left.c, Real(1));
+    if (!when) return State::never;
+    rate = -left.at(*when, span).u;
+    return t + *when * span;
+  };
+  Real rate = 0;
+  const Real opens = reaches(Real(0), rate);
+  if (!(opens < State::never) || open_from(rate) == Real(0)) return opens;
+  return reaches(open_from(rate), rate);
 }
 
 /// Whether they cannot meet before `end`, three times as fast as they ever are at the ends of their steps.

@@ -27,6 +27,12 @@ class EventSchedule {
   LatticeEvent<Real> take_next();
   void clear() { queue_ = {}; }
 
+  /// The gap at which a contact that opens at that rate counts as open. Beads that rest beside each other move apart
+  /// and together for ever, if ever so little: on a plate, slow contacts have their end at a small gap.
+  Real open_from(const Real& rate) const { return Ground::moves && rate < slowest_ ? resting_overlap() : Real(0); }
+  Real resting_overlap() const { return Real(8.0) * closing_overlap_; }
+  const Real& slowest() const { return slowest_; }
+
   /// All events of bead i after t. Those with marked beads of smaller numbers are predicted from there.
   void predict_events(std::size_t i, const Real& t);
   /// The next event of bead i with one of its neighbours.

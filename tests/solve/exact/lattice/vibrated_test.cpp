@@ -66,6 +66,36 @@ TEST(VibratedLattice, KeepsItsBooks) {
     }
 }
 
+/// Beads that rest side by side without a gap and without a force neither open nor close: the number of contacts does
+/// not go with the time over tc, and nothing is pumped into the lattice.
+TEST(VibratedLattice, RestsWhereItsRowsHaveNoGaps) {
+  const auto at_rest = [](std::int64_t columns, double tc, Law law) {
+    return simulate(vibrated_lattice({.v0 = 0.1,
+                                      .tc = tc,
+                                      .s0 = 0.0,
+                                      .epsilon = 0.9,
+                                      .frequency = 20.0,
+                                      .alpha = 0.5,
+                                      .periods = 10,
+                                      .transient = 2,
+                                      .rows = 4,
+                                      .columns = columns,
+                                      .law = law}));
+  };
+  for (const Law law : {Law::hooke, Law::hertz})
+    for (const double tc : {1e-3, 2e-4}) {
+      // Rows whose beads do not press on each other move alike: two columns are as good as many.
+      const SimulationResult many = at_rest(4, tc, law), two = at_rest(2, tc, law);
+      ASSERT_EQ(many.status, Status::ok);
+      ASSERT_EQ(two.status, Status::ok);
+      EXPECT_LT(many.contacts, 500U) << tc;
+      EXPECT_LT(std::fabs(many.vibration.imbalance), 1e-12) << tc;
+      EXPECT_NEAR(many.vibration.h_cm, two.vibration.h_cm, 1e-9 * two.vibration.h_cm) << tc;
+      EXPECT_NEAR(many.x_max, two.x_max, 1e-6 * two.x_max) << tc;
+      EXPECT_NEAR(many.vibration.power_lost, two.vibration.power_lost, 1e-5 * two.vibration.power_lost) << tc;
+    }
+}
+
 /// The first period, before chaos: small fixed steps see the same.
 TEST(VibratedLattice, MovesAsSmallFixedStepsSay) {
   Parameters p = parameters(3, 2, 5e-4);
