@@ -48,6 +48,8 @@ Column<Real> twin_of(Column<Real> column) {
 struct Computed {
   SimulationResult result;
   double clock_resolution_error;  ///< see HardSphereColumn
+  double t_k;                     ///< in units of length_of() over the speed
+  std::uint64_t collisions;       ///< of the run and of its twin, the larger number
 };
 
 template <class Real>
@@ -58,8 +60,10 @@ Computed computed_in(const Parameters& p, HardSphereSettings settings, const Run
   NullObserver nobody;
   HardSphereColumn<Real> run(column, settings, limits);
   Outcome<Real> outcome = run.run(nobody);
-  const double collisions_per_bead = static_cast<double>(outcome.contacts) / static_cast<double>(p.N);
+  std::uint64_t collisions = outcome.contacts;
+  const double collisions_per_bead = static_cast<double>(collisions) / static_cast<double>(p.N);
   if (outcome.end == End::settled && settings.rule == EdRule::lrv) run.add_late_collisions(outcome);
+  const double t_k = static_cast<double>(outcome.t_k);
   outcome.t_k *= length_of(column);
   const bool given_up = outcome.status == Status::event_limit;
   if (given_up) outcome.status = Status::tolerance_missed;  // by the energy that can still be dissipated
@@ -76,13 +80,14 @@ Computed computed_in(const Parameters& p, HardSphereSettings settings, const Run
     error += abs(energies<Real>(outcome.velocity, Real(1), mass).eps_eff -
                  energies<Real>(other.velocity, Real(1), twin.mass).eps_eff);
     apart = distance<Real>(outcome.velocity, other.velocity, mass);
+    collisions = std::max(collisions, other.contacts);
   }
   if (std::isfinite(c.eps_eff)) {
     c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;
     const double late = static_cast<double>(left) + static_cast<double>(run.clock_resolution_error());
     set_errors_of_motion(c, static_cast<double>(roundings + apart) + velocity_left(c.eps_eff, late));
   }
-  return {c, static_cast<double>(run.clock_resolution_error())};
+  return {c, static_cast<double>(run.clock_resolution_error()), t_k, collisions};
 }
 
 /// The result with the smaller error. If the resolution of time limits both, their difference bounds its error; but not
@@ -116,6 +121,15 @@ SimulationResult simulate_hard_spheres(const Parameters& p, ComputeBudget* budge
   // Too many collisions, as in collapses upon collapses of unequal beads: the same ones are done once.
   const SimulationResult again = good_enough(p, {.rule = p.ed_rule, .remember_hits = true}, budget);
   return again.end == End::none ? c : again;
+}
+
+std::optional<HardSphereResult> short_hard_sphere_run(const Parameters& p) {
+  constexpr std::uint64_t most = 20'000;
+  const RunLimits limits{.settle = 1e-3 * p.tolerance, .event_limit = most};
+  const Computed fast = computed_in<double>(p, {.rule = p.ed_rule}, limits);
+  const double error = fast.result.eps_eff_error + fast.clock_resolution_error;
+  if (!(error <= p.tolerance) || fast.collisions >= most || !is_success(fast.result.status)) return std::nullopt;
+  return HardSphereResult{with_error(fast.result, error, p.tolerance), fast.t_k};
 }
 
 }  // namespace sigmasweep

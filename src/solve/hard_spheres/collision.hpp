@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "assembly/column.hpp"
 #include "sigmasweep/base/budget.hpp"
 #include "sigmasweep/model/parameters.hpp"
@@ -41,6 +43,14 @@ Outcome<double> hard_sphere_collision(const Column<double>& column, const HardSp
 /// masses and gaps in their last bits and of same_time; a bound of the rounding errors of collisions; the dissipation
 /// that is possible after the end; and the error by the finite resolution of time.
 SimulationResult simulate_hard_spheres(const Parameters& parameters, ComputeBudget* budget = nullptr);
+
+/// A result, and its t_k in units of the gap, or of any length if that is 0, over the speed.
+struct HardSphereResult {
+  SimulationResult result;
+  double t_k;
+};
+/// The same where doubles meet the tolerance and the collisions are not too many.
+std::optional<HardSphereResult> short_hard_sphere_run(const Parameters& parameters);
 
 /// Computes the collision until the last sample is taken. Time counts from the start of the fall. Units are the gap, or
 /// without a gap any length, and the speed.

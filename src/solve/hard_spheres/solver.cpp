@@ -1,5 +1,6 @@
 #include "solve/cost_model.hpp"
 #include "solve/hard_spheres/collision.hpp"
+#include "solve/hard_spheres/many.hpp"
 #include "solve/hard_spheres/vibrated_column.hpp"
 #include "solve/observer/film_duration.hpp"
 #include "solve/observer/record_column.hpp"
@@ -37,6 +38,7 @@ const Solver hard_spheres{
         },
     .predicted_seconds = seconds,
     .film_duration = film_of_column,
+    .run_many = simulate_hard_spheres_many,
 };
 
 const Solver hard_spheres_on_plate{
