@@ -7,6 +7,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <boost/math/distributions/normal.hpp>
 
 namespace sigmasweep {
 namespace {
@@ -54,11 +55,32 @@ AnyNumber Axis::Range::point(std::uint64_t k) const {
 
 AnyNumber Axis::Sample::point(std::uint64_t k) const {
   const double u = unit(k);
+  if (const auto* normal = std::get_if<Normal>(&distribution)) return normal->at(u);
+  const Scale& scale = std::get<Scale>(distribution);
   const Interval& interval = scale.interval;
   if (!interval.whole || interval.log) return scale.divided(u, 1.0L - u);
   // Each whole number has an equal part of [0, 1).
   const auto numbers = static_cast<double>(interval.to - interval.from + 1);
   return std::min<AnyNumber>(interval.to, interval.from + std::floor(u * numbers));
+}
+
+Axis::Normal::Normal(const NormalDistribution& normal, const Interval& ends)
+    : distribution(normal), within(ends), below(0.0), above(1.0) {
+  const boost::math::normal_distribution<double> curve(normal.mean, normal.sd);
+  const auto share = [&](AnyNumber end) {
+    const auto value = static_cast<double>(end);
+    return cdf(curve, normal.log ? std::log(value) : value);
+  };
+  if (std::isfinite(within.from) && !(normal.log && within.from <= 0)) below = share(within.from);
+  if (std::isfinite(within.to)) above = share(within.to);
+}
+
+AnyNumber Axis::Normal::at(double u) const {
+  constexpr double least = 0x1p-54;  // half of the least number of a sample above 0
+  const double all = std::clamp(below + (above - below) * (u + least), least, 1.0 - 2.0 * least);
+  const double value = quantile(boost::math::normal_distribution<double>(distribution.mean, distribution.sd), all);
+  const double number = distribution.log ? std::exp(value) : value;
+  return std::clamp<AnyNumber>(within.whole ? std::round(number) : number, within.from, within.to);
 }
 
 bool has_whole_step(const Interval& interval, std::uint64_t count) {
@@ -81,6 +103,12 @@ Axis Axis::range(const Interval& interval, std::uint64_t count) {
 Axis Axis::sample(const Interval& interval, std::uint64_t count, const Sampling& sampling) {
   assert(count > 0);
   return Axis(Values(Sample{Scale(interval), count, sampling, SobolDimension(sampling.dimension)})).tabulated();
+}
+
+Axis Axis::normal_sample(const NormalDistribution& normal, const Interval& within, std::uint64_t count,
+                         const Sampling& sampling) {
+  assert(count > 0);
+  return Axis(Values(Sample{Normal(normal, within), count, sampling, SobolDimension(sampling.dimension)})).tabulated();
 }
 
 Axis Axis::tabulated() && {
@@ -123,8 +151,11 @@ std::pair<AnyNumber, AnyNumber> Axis::bounds() const {
     const auto [low, high] = std::minmax_element(values->begin(), values->end());
     return {*low, *high};
   }
-  const auto* range = std::get_if<Range>(&values_);
-  const Interval& interval = (range ? range->scale : std::get<Sample>(values_).scale).interval;
+  if (const auto* range = std::get_if<Range>(&values_))
+    return std::minmax(range->scale.interval.from, range->scale.interval.to);
+  const auto& distribution = std::get<Sample>(values_).distribution;
+  if (const auto* normal = std::get_if<Normal>(&distribution)) return {normal->at(0.0), normal->at(1.0)};
+  const Interval& interval = std::get<Scale>(distribution).interval;
   return std::minmax(interval.from, interval.to);
 }
 

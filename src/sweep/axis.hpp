@@ -19,6 +19,12 @@ struct Interval {
   bool whole = false;  ///< values are whole numbers
 };
 
+/// A normal distribution of the values, or of their logarithms (then mean and sd are those of the logarithm).
+struct NormalDistribution {
+  double mean = 0.0, sd = 0.0;
+  bool log = false;
+};
+
 enum class SampleKind : std::uint8_t { uniform, sobol, latin_hypercube };
 
 /// The method of sampling an interval.
@@ -39,6 +45,9 @@ class Axis {
   /// and repeated values are dropped. A linear range of whole numbers must have a whole step (see has_whole_step).
   static Axis range(const Interval& interval, std::uint64_t count);
   static Axis sample(const Interval& interval, std::uint64_t count, const Sampling& sampling);
+  /// A sample of a normal distribution that is cut off at the ends of `within`, which may be infinite.
+  static Axis normal_sample(const NormalDistribution& normal, const Interval& within, std::uint64_t count,
+                            const Sampling& sampling);
 
   std::uint64_t size() const;
   AnyNumber operator[](std::uint64_t k) const;
@@ -59,8 +68,16 @@ class Axis {
     std::uint64_t count;
     AnyNumber point(std::uint64_t k) const;
   };
+  struct Normal {
+    Normal(const NormalDistribution& normal, const Interval& within);
+    /// The value below which a share u of the distribution lies.
+    AnyNumber at(double u) const;
+    NormalDistribution distribution;
+    Interval within;
+    double below, above;  ///< shares of the whole distribution below the ends
+  };
   struct Sample {
-    Scale scale;
+    std::variant<Scale, Normal> distribution;
     std::uint64_t count;
     Sampling sampling;
     SobolDimension sobol;

@@ -21,16 +21,20 @@ bool has_axis(const ParameterGrid::Group& group, std::span<const std::string_vie
   });
 }
 
+/// The groups with axes on which parameters depend.
 std::vector<ParameterGrid::Group> with_axis(const std::vector<ParameterGrid::Group>& groups,
-                                            std::span<const std::string_view> names) {
+                                            const Dependents& dependents,
+                                            std::span<const std::string_view> parameters) {
   std::vector<ParameterGrid::Group> found;
+  const auto names = dependents.with_causes(parameters);
   std::ranges::copy_if(groups, std::back_inserter(found), [&](const auto& group) { return has_axis(group, names); });
   return found;
 }
 
 bool has_own_stiffness(const Parameters& base, const std::vector<ParameterGrid::Group>& groups) {
   static constexpr auto given = std::to_array<std::string_view>({"K_over_m", "material"});
-  return base.K_over_m > 0.0 || base.material != Material::none || !with_axis(groups, given).empty();
+  return base.K_over_m > 0.0 || base.material != Material::none ||
+         std::ranges::any_of(groups, [](const auto& group) { return has_axis(group, given); });
 }
 
 /// Whether the groups make at most `most` tuples. It is counted in floating point, which does not overflow.
@@ -47,22 +51,30 @@ bool takes_long(const Parameters& p) {
 }
 
 std::vector<ParameterGrid::Group> groups_of_pairs(const Parameters& base,
-                                                  const std::vector<ParameterGrid::Group>& groups) {
-  return has_own_stiffness(base, groups) ? with_axis(groups, of_pair) : std::vector<ParameterGrid::Group>{};
+                                                  const std::vector<ParameterGrid::Group>& groups,
+                                                  const Dependents& dependents) {
+  return has_own_stiffness(base, groups) ? with_axis(groups, dependents, of_pair) : std::vector<ParameterGrid::Group>{};
 }
 
-CalibrationCache::CalibrationCache(const Parameters& base, const std::vector<ParameterGrid::Group>& groups) {
+CalibrationCache::CalibrationCache(const Parameters& base, const std::vector<ParameterGrid::Group>& groups,
+                                   const Dependents& dependents) {
   if (!has_own_stiffness(base, groups)) return;
+  const auto tuple = [&](const std::vector<ParameterGrid::Group>& deciding, std::uint64_t i) {
+    Parameters p = values_at(base, deciding, i);
+    dependents.set(p);
+    return p;
+  };
   for (const bool pairs_too : {false, true}) {
-    const auto deciding = with_axis(groups, pairs_too ? std::span<const std::string_view>(of_pair) : of_material);
+    const auto deciding =
+        with_axis(groups, dependents, pairs_too ? std::span<const std::string_view>(of_pair) : of_material);
     if (!is_small(deciding, max_pairs)) continue;
-    for (std::uint64_t i = 0; i < size_of(deciding); ++i) insert(values_at(base, deciding, i), pairs_too);
+    for (std::uint64_t i = 0; i < size_of(deciding); ++i) insert(tuple(deciding, i), pairs_too);
   }
-  const auto deciding = with_axis(groups, of_pair);
+  const auto deciding = with_axis(groups, dependents, of_pair);
   if (is_small(deciding, max_pairs)) return;
-  const auto materials = with_axis(groups, of_material);
+  const auto materials = with_axis(groups, dependents, of_material);
   for (std::uint64_t i = 0; i < std::min(size_of(materials), max_pairs); ++i)
-    is_slow_ = is_slow_ || takes_long(values_at(base, materials, i));
+    is_slow_ = is_slow_ || takes_long(tuple(materials, i));
 }
 
 CalibrationCache::MaterialKey CalibrationCache::material_key(const Parameters& p) {

@@ -18,7 +18,8 @@ class CalibrationCache {
   /// Largest number of pairs in the cache; they take a second or two.
   static constexpr std::uint64_t max_pairs = 1 << 13;
 
-  CalibrationCache(const Parameters& base, const std::vector<ParameterGrid::Group>& groups);
+  CalibrationCache(const Parameters& base, const std::vector<ParameterGrid::Group>& groups,
+                   const Dependents& dependents);
 
   /// Does the same as derive_material() and derive_pair().
   void derive_contact(Parameters& parameters) const;
@@ -48,7 +49,8 @@ class CalibrationCache {
 /// The groups of axes on which tc and epsilon of a pair depend: law, stiffness, damping and v0. There are none if tc
 /// and epsilon are given.
 std::vector<ParameterGrid::Group> groups_of_pairs(const Parameters& base,
-                                                  const std::vector<ParameterGrid::Group>& groups);
+                                                  const std::vector<ParameterGrid::Group>& groups,
+                                                  const Dependents& dependents);
 
 /// Whether derive_pair() takes long, as it does for nonlinear laws with a given stiffness.
 bool takes_long(const Parameters& parameters);

@@ -25,16 +25,18 @@ Parameters values_at(const Parameters& base, const std::vector<ParameterGrid::Gr
   return values;
 }
 
-ParameterGrid::ParameterGrid(const Parameters& base, GapParameter gap, std::vector<Group> groups)
+ParameterGrid::ParameterGrid(const Parameters& base, GapParameter gap, std::vector<Group> groups, Dependents dependents)
     : base_(base),
       gap_(gap),
       groups_(std::move(groups)),
+      dependents_(std::move(dependents)),
       size_(size_of(groups_)),
-      contacts_(std::make_shared<const CalibrationCache>(base_, groups_)) {}
+      contacts_(std::make_shared<const CalibrationCache>(base_, groups_, dependents_)) {}
 
 Parameters ParameterGrid::at(std::uint64_t index) const {
   assert(index < size_);
   Parameters parameters = values_at(base_, groups_, index);
+  dependents_.set(parameters);
   derive_beads(parameters);
   contacts_->derive_contact(parameters);
   derive_gap(parameters, gap_);

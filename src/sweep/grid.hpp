@@ -8,6 +8,7 @@
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sweep/axis.hpp"
+#include "sweep/dependents.hpp"
 
 namespace sigmasweep {
 
@@ -23,21 +24,23 @@ class ParameterGrid {
   };
   using Group = std::vector<Member>;  ///< one or more axes of equal length
 
-  /// `base` has the parameters that are not axes; `gap` is the one of s0 and sigma that is given. Fills a
-  /// CalibrationCache.
-  ParameterGrid(const Parameters& base, GapParameter gap, std::vector<Group> groups);
+  /// `base` has the parameters that are neither axes nor dependents; `gap` is the one of s0 and sigma that is given.
+  /// Fills a CalibrationCache.
+  ParameterGrid(const Parameters& base, GapParameter gap, std::vector<Group> groups, Dependents dependents);
 
   std::uint64_t size() const { return size_; }
   /// The tuple with the parameters that complete() derives. Several threads may call it at once.
   Parameters at(std::uint64_t index) const;
   const Parameters& base() const { return base_; }
   const std::vector<Group>& groups() const { return groups_; }
+  const Dependents& dependents() const { return dependents_; }
   const CalibrationCache& contacts() const { return *contacts_; }
 
  private:
   Parameters base_;
   GapParameter gap_;
   std::vector<Group> groups_;
+  Dependents dependents_;
   std::uint64_t size_ = 1;
   std::shared_ptr<const CalibrationCache> contacts_;
 };

@@ -15,17 +15,19 @@
 #include "sigmasweep/model/relevance.hpp"
 #include "sweep/spec/document.hpp"
 #include "sweep/spec/trajectory.hpp"
+#include "sweep/spec/with_points.hpp"
 #include "sweep/spec/with_settings.hpp"
 #include "sweep/toml/toml_guard.hpp"
 
 namespace sigmasweep {
 namespace {
 
-std::vector<Field> columns_of(const spec::Grid& grid) {
-  const auto some_tuple = [&](auto holds) { return std::ranges::any_of(grid.representatives, holds); };
+std::vector<Field> columns_of(const spec::Tuples& tuples) {
+  const auto some_tuple = [&](auto holds) { return std::ranges::any_of(tuples.representatives(), holds); };
+  const auto& given = tuples.given();
   std::vector<Field> columns;
   for (const Field& field : parameter_fields()) {
-    const bool is_given = std::ranges::find(grid.given, field.name, &ParameterField::name) != grid.given.end();
+    const bool is_given = std::ranges::find(given, field.name, &ParameterField::name) != given.end();
     if (is_given || (field.always_column && some_tuple(field.always_column->holds))) columns.push_back(field);
   }
   for (const Field& field : result_fields())
@@ -60,11 +62,10 @@ std::string text_of(const std::string& path) {
 struct Sweep::Impl {
   Impl(std::string_view text, const std::string& file)
       : document(text, file), hash(XXH3_64bits(text.data(), text.size())) {}
-  const spec::Grid& grid() const { return *document.grid; }
+  const spec::Tuples& tuples() const { return *document.tuples; }
 
   spec::Document document;
   std::uint64_t hash;
-  std::vector<std::string> axes{};
   std::vector<Field> columns{};
   std::optional<TrajectorySpec> trajectory{};
 };
@@ -75,8 +76,7 @@ Sweep Sweep::parse(std::string_view text, const std::string& file, Sections sect
   const auto impl = std::make_shared<Impl>(text, file);
   spec::Document& document = impl->document;
   spec::read_tables(document, sections, any_section);
-  for (const ParameterField* field : impl->grid().axes) impl->axes.emplace_back(field->name);
-  impl->columns = columns_of(impl->grid());
+  impl->columns = columns_of(impl->tuples());
   const Sweep sweep(impl);
   spec::Mistakes mistakes;
   if (document.trajectory)
@@ -96,9 +96,9 @@ Sweep Sweep::parse_stored(std::string_view text, const std::string& file) { retu
 
 Sweep Sweep::load(const std::string& path, Sections sections, std::span<const std::string> settings) {
   const std::string text = text_of(path), file = path == "-" ? "standard input" : path;
-  if (settings.empty()) return parse(text, file, sections);
-  return parse(spec::with_settings(text, settings), fmt::format("--set {} in {}", fmt::join(settings, " --set "), file),
-               sections);
+  if (settings.empty()) return parse(spec::with_points(text, path), file, sections);
+  return parse(spec::with_points(spec::with_settings(text, settings), path),
+               fmt::format("--set {} in {}", fmt::join(settings, " --set "), file), sections);
 }
 
 const std::string& Sweep::title() const { return impl_->document.title; }
@@ -108,8 +108,8 @@ const std::vector<PlotSpec>& Sweep::plots() const { return impl_->document.plots
 ManagerRole Sweep::manager() const { return impl_->document.run.manager; }
 std::optional<double> Sweep::tuple_time_limit() const { return impl_->document.run.tuple_time_limit; }
 const std::optional<TrajectorySpec>& Sweep::trajectory() const { return impl_->trajectory; }
-const std::vector<std::string>& Sweep::axes() const { return impl_->axes; }
-const std::vector<std::uint64_t>& Sweep::axis_sizes() const { return impl_->grid().axis_sizes; }
+const std::vector<std::string>& Sweep::axes() const { return impl_->tuples().axes(); }
+const std::vector<std::uint64_t>& Sweep::axis_sizes() const { return impl_->tuples().axis_sizes(); }
 const std::vector<Field>& Sweep::columns() const { return impl_->columns; }
 
 const spec::Entry* Sweep::section(std::string_view name) const {
@@ -118,15 +118,12 @@ const spec::Entry* Sweep::section(std::string_view name) const {
   return found == sections.end() ? nullptr : &*found;
 }
 
-std::uint64_t Sweep::size() const {
-  const spec::Grid& grid = impl_->grid();
-  return grid.selection ? grid.selection->size() : grid.product.size();
-}
+std::size_t Sweep::parts() const { return impl_->tuples().parts(); }
+std::uint64_t Sweep::size() const { return impl_->tuples().size(); }
 
 Parameters Sweep::at(std::uint64_t row) const {
   if (row >= size()) throw std::out_of_range(fmt::format("row {} of a sweep of {} rows", row, size()));
-  const spec::Grid& grid = impl_->grid();
-  return grid.product.at(grid.selection ? (*grid.selection)[row] : row);
+  return impl_->tuples().at(row);
 }
 
 }  // namespace sigmasweep

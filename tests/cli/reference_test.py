@@ -90,7 +90,7 @@ class Reference(unittest.TestCase):
         good = {"sweep": {"N": [1, 2], "sigma": {"from": 0.1, "to": 1, "count": 3, "scale": "log"}}}
         self.assertTrue(validator.is_valid(good))
         for bad in ({}, {"sweep": {"n": 1}}, {"sweep": {"N": 1.5}}, {"sweep": {"N": []}},
-                    {"sweep": {"sigma": {"from": 1, "to": 2}}}, {"sweep": {"law": "hook"}},
+                    {"sweep": {"sigma": {"from": 1, "count": 2}}}, {"sweep": {"law": "hook"}},
                     {"sweep": {}, "plot": {"x_scale": "logarithmic"}}, {"sweep": {}, "plot": {"series": "nonsense"}},
                     {"sweep": {}, "plot": {"guides": {"y": 1}}}, {"sweep": {}, "run": {"manager": True}}):
             self.assertFalse(validator.is_valid(bad), bad)

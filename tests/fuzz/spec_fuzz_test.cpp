@@ -20,6 +20,25 @@ using namespace sigmasweep;
 namespace {
 
 const std::vector<std::string> seeds{
+    R"toml([defaults]
+v0 = 1
+N = [2, 3]
+epsilon = { sample = "normal", mean = 0.8, sd = 0.05, to = 1 }
+sigma = { from = 0.1, to = 10, scale = "log" }
+sample = { method = "latin-hypercube", of = ["epsilon", "sigma"], count = 8, seed = 3 }
+[[sweep]]
+tc = "1e-5*N"
+d = "v0/1000"
+[[sweep]]
+method = "ed"
+points = '''
+# measured
+tc, seed
+1e-5, +3
+2e-5, 4
+'''
+random_separation = true
+)toml",
     R"toml(title  = "Universal sigma-curve, Fig. 2(a)"
 [sweep]
 method  = ["md", "ed"]

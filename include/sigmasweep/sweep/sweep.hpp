@@ -33,17 +33,21 @@ struct SpecSection {
 };
 
 /// A sweep spec, parsed, validated and immutable. Rows that satisfy `where` are numbered in spec order, the last axis
-/// fastest.
+/// fastest; of several [[sweep]] the rows of one come after those of the other. Keys of [defaults] belong to each
+/// [[sweep]] that does not have them itself and whose tuples use them.
 ///
-/// The table [sweep] gives each parameter as a value or as an axis:
+/// The table [sweep] gives each parameter as a value, as an expression of other parameters (s0 = "0.01*d"), or as an
+/// axis:
 ///     [1.0, 2.0, 5.0]                                     a list
 ///     { from, to, count, scale = "linear" | "log" }       a range, both ends included
 ///     { sample = "uniform" | "log-uniform" | "sobol" | "latin-hypercube", from, to, count, seed, scale }
+///     { sample = "normal" | "log-normal", mean, sd, from, to, count, seed }   cut off at from and to, if given
 /// A sample depends on the seed (default 0) and the parameter's name only. Zipped Sobol axes are dimensions of one
 /// sequence; a seed other than 0 shifts it digitally. `scale` also makes sobol and latin-hypercube logarithmic. For
 /// whole numbers (N) a linear range must consist of whole numbers; a logarithmic range is rounded, without repetitions.
 /// Values of enumerations (method, law, ...) are names; random_separation is true or false. `zip` names groups of axes
-/// that advance together, `where` is a condition on the parameters (see Where).
+/// that advance together, `sample = { method, of, count, seed }` samples several parameters together, `points` names a
+/// CSV file whose columns are parameters that advance together, `where` is a condition on the parameters (see Where).
 ///
 /// Parameters that must be given:
 /// - v0, N (rows for a lattice), and s0 or sigma. On a plate v0 is needed for nonlinear laws only, and instead of the
@@ -70,7 +74,8 @@ class Sweep {
   /// Throws SpecError with file, line, key, value, the allowed values and the nearest known key.
   static Sweep parse(std::string_view text, const std::string& file, Sections sections = {});
   /// Reads a spec from a file of at most 4 MiB. Each of `settings` is "KEY=VALUE" and replaces a key of [sweep]; text()
-  /// has what was set. Throws InputNotFound, SpecError, or UsageError for a setting of another form.
+  /// has what was set, and the contents of the files of points. Throws InputNotFound, SpecError, or UsageError for a
+  /// setting of another form.
   static Sweep load(const std::string& path, Sections sections = {}, std::span<const std::string> settings = {});
   /// Reads a spec from the text in a table. It may have sections of any name, because it was checked before the run.
   static Sweep parse_stored(std::string_view text, const std::string& file);
@@ -90,9 +95,11 @@ class Sweep {
   std::uint64_t size() const;  ///< number of rows, at least 1
   /// The complete parameters of a row. Throws std::out_of_range. Several threads may call it at once.
   Parameters at(std::uint64_t row) const;
-  /// Names of the parameters that are axes, in spec order.
+  /// Number of tables [[sweep]].
+  std::size_t parts() const;
+  /// Names of the parameters that are axes, or differ between several [[sweep]], in spec order.
   const std::vector<std::string>& axes() const;
-  /// Number of values of each axis, in the same order.
+  /// Number of values of each axis, in the same order; of several [[sweep]] the sum over them.
   const std::vector<std::uint64_t>& axis_sizes() const;
   /// The columns of /results: parameters that are axes or always columns (see FieldOf), then the results.
   const std::vector<Field>& columns() const;

@@ -127,9 +127,11 @@ nlohmann::ordered_json measured_json(const std::optional<MeasuredCost>& cost) {
 void print_text(const Sweep& sweep, const Plan& plan, int ranks) {
   std::string axes;
   for (std::size_t i = 0; i < sweep.axes().size(); ++i)
-    axes += fmt::format("{}{} ({})", i ? ", " : "", sweep.axes()[i], sweep.axis_sizes()[i]);
+    axes += fmt::format("{}{}{}", i ? ", " : "", sweep.axes()[i],
+                        sweep.parts() > 1 ? "" : fmt::format(" ({})", sweep.axis_sizes()[i]));
   if (!sweep.title().empty()) fmt::print("{}\n", printable(sweep.title()));
-  fmt::print("tuples         {}\naxes           {}\n", sweep.size(), axes.empty() ? "none" : axes);
+  fmt::print("tuples         {}\naxes           {}{}\n", sweep.size(), axes.empty() ? "none" : axes,
+             sweep.parts() > 1 ? fmt::format(", in {} tables [[sweep]]", sweep.parts()) : "");
   fmt::print("core time      {}\n", duration(plan.core_seconds));
   fmt::print("longest tuple  {} (row {})\n", duration(plan.longest_seconds), plan.longest_row);
   fmt::print("makespan       {} on {} {}, no schedule ends before {}\n", duration(plan.makespan_seconds), ranks,
@@ -196,9 +198,8 @@ void declare(OptionSet& set, PlanOptions& options) {
 Command plan_command() {
   return make_command(
       "plan", "Check a sweep spec and predict its computing time; without --measure nothing is run",
-      "\nA parameter in [sweep] is a value; a list; a range { from, to, count, scale = \"linear\" | \"log\" };\n"
-      "or a sample { sample = \"uniform\" | \"log-uniform\" | \"sobol\" | \"latin-hypercube\", from, to,\n"
-      "count, seed, scale }, where scale is for the last two.\n\n"
+      "\nA parameter in [sweep] is a value; an expression of others; a list; a range { from, to, count, scale };\n"
+      "or a sample { sample, from, to, count, seed, scale }. 'sigmasweep help spec' explains them.\n\n"
       "  sigmasweep plan fig2a.toml --ranks 64",
       declare, plan);
 }

@@ -106,7 +106,7 @@ std::string blank_spec(Geometry geometry, const std::string& name) {
       "title = \"{0}\"\n",
       name);
   for (const spec::KeyInfo& table : spec::keys_of_spec({})) {
-    if (table.keys == nullptr) continue;
+    if (table.keys == nullptr || table.name == "defaults") continue;
     const bool is_sweep = table.name == "sweep";
     text += fmt::format("\n{}[{}]  # {}\n", is_sweep ? "" : "# ", table.name, table.meaning);
     if (is_sweep) text += parameters(geometry);

@@ -5,9 +5,9 @@
 
 #include "sigmasweep/model/law.hpp"
 #include "sweep/reference/parameter.hpp"
-#include "sweep/spec/axis.hpp"
 #include "sweep/spec/document.hpp"
 #include "sweep/spec/plot.hpp"
+#include "sweep/spec/tuples/axis.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -29,6 +29,7 @@ std::string_view name_of(KeyForm form) {
     case KeyForm::numbers: return "list of numbers";
     case KeyForm::choices: return "list of names";
     case KeyForm::groups: return "list of groups";
+    case KeyForm::names: return "list of parameters";
     case KeyForm::table: return "table";
     case KeyForm::tables: return "list of tables";
     case KeyForm::one_or_several: return "table, or several";
@@ -91,7 +92,25 @@ A spec is a TOML file of these tables. Units are SI.
 constexpr std::string_view forms_of_values =
     R"(Each parameter is a value, or an axis if it has several: a list, `[1, 2, 5]`; a range,
 `{ from = 0.01, to = 10, count = 61, scale = "log" }`; or a sample,
-`{ sample = "sobol", from = 0.01, to = 10, count = 64, scale = "log", seed = 1 }`. The keys of a range and of a sample:
+`{ sample = "sobol", from = 0.01, to = 10, count = 64, scale = "log", seed = 1 }`. A number may also be an expression of
+other parameters, `s0 = "0.01*d"`, which has its value in each tuple. Axes multiply, the last one fastest, unless `zip`,
+`points` or `sample` make them advance together.
+
+    [sweep]                                     # a sample of two parameters together, and five seeds for each point
+    epsilon = { sample = "normal", mean = 0.9, sd = 0.02, to = 1 }
+    sigma   = { from = 0.01, to = 10, scale = "log" }
+    sample  = { method = "sobol", of = ["epsilon", "sigma"], count = 64 }
+    seed    = [1, 2, 3, 4, 5]
+
+    [defaults]                                  # keys of each [[sweep]] that does not have them itself
+    N = 10
+    [[sweep]]                                   # the rows of one after those of the other
+    method = "md"
+    points = "measured.csv"                     # a line "v0,tc,s0,epsilon", then a line for each tuple
+    [[sweep]]
+    method = "ed"
+
+The keys of a range and of a sample:
 
 )";
 constexpr std::string_view what_is_needed = R"(
@@ -119,6 +138,8 @@ std::string section_of(const KeyInfo& table) {
   if (table.form == KeyForm::text)
     return fmt::format("`{}` ({}): {}\n\n", table.name, name_of(table.form), table.meaning);
   if (table.name == "plot") return plot_reference() + "\n";
+  if (table.name == "defaults")
+    return fmt::format("## [defaults]: {}\n\nThe keys are those of [sweep].\n\n", table.meaning);
   if (table.name != "sweep")
     return fmt::format("## [{}]: {}\n\n{}\n", table.name, table.meaning, lines_of(table.keys()));
   return fmt::format("## [sweep]: {}\n\n{}{}{}{}{}{}\n", table.meaning, forms_of_values, lines_of(spec::keys_of_axis()),

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sweep/reference/parameter.hpp"
-#include "sweep/spec/axis.hpp"
 #include "sweep/spec/document.hpp"
+#include "sweep/spec/tuples/axis.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -51,6 +51,7 @@ Json value_of(const KeyInfo& key) {
     case KeyForm::fields: return any_of({defined("field"), array_of(defined("field"), 0)});
     case KeyForm::point: return point();
     case KeyForm::groups: return array_of(array_of(defined("parameter"), 2), 0);
+    case KeyForm::names: return array_of(defined("parameter"), 1);
     case KeyForm::table: return object_of(key.keys());
     case KeyForm::tables: return array_of(object_of(key.keys()), 0);
     case KeyForm::one_or_several: return any_of({object_of(key.keys()), array_of(object_of(key.keys()), 1)});
@@ -77,7 +78,7 @@ Json object_of(const std::vector<KeyInfo>& keys) {
   return object;
 }
 
-/// A parameter: a value, a list of values, or, of numbers, a range or a sample.
+/// A parameter: a value, a list of values, or, of numbers, a range, a sample or an expression.
 Json setting_of(const ParameterField& field) {
   const bool named = !enumerators(field.type).empty();
   const Json value = field.type == FieldType::of<Flag>() ? of_type("boolean")
@@ -86,17 +87,18 @@ Json setting_of(const ParameterField& field) {
                                                          : of_type("number");
   std::vector<Json> forms{value, array_of(value, 1)};
   if (!named) forms.push_back(defined("range"));
+  if (!named) forms.push_back(of_type("string"));  // an expression
   return any_of(std::move(forms));
 }
 
-/// [sweep] with the parameters before its other keys.
-Json sweep_table(const KeyInfo& table) {
+/// What [sweep] and [defaults] may have: the parameters before the other keys.
+Json tuples(const KeyInfo& table) {
   Json schema = object_of(table.keys()), properties = Json::object();
   for (const ParameterField& field : fields_of_parameters())
     properties[std::string(field.name)] = described(parameter_line(field), setting_of(field));
   properties.update(schema["properties"]);
   schema["properties"] = std::move(properties);
-  return described(description_of(table), schema);
+  return schema;
 }
 
 Json names_of(std::span<const Field> fields) {
@@ -111,13 +113,21 @@ std::string spec_schema(std::span<const SpecSection> sections) {
   const std::vector<KeyInfo> tables = spec::keys_of_spec(sections);
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "sigmasweep spec"}};
   schema.update(object_of(tables));
-  for (const KeyInfo& table : tables)
-    if (table.name == "sweep") schema["properties"]["sweep"] = sweep_table(table);
+  const Json some = defined("tuples"), several = array_of(some, 1);
+  Json all_tuples;
+  for (const KeyInfo& table : tables) {
+    if (table.name != "sweep" && table.name != "defaults") continue;
+    const Json form = table.name == "sweep" ? any_of({some, several}) : some;
+    schema["properties"][std::string(table.name)] = described(description_of(table), form);
+    all_tuples = tuples(table);
+  }
   schema["required"] = {"sweep"};
   Json range = object_of(spec::keys_of_axis());
-  range["required"] = {"from", "to", "count"};
-  schema["definitions"] = {
-      {"range", std::move(range)}, {"parameter", names_of(parameter_fields())}, {"field", names_of(all_fields())}};
+  range["anyOf"] = {{{"required", {"from", "to"}}}, {{"required", {"mean", "sd"}}}};
+  schema["definitions"] = {{"tuples", std::move(all_tuples)},
+                           {"range", std::move(range)},
+                           {"parameter", names_of(parameter_fields())},
+                           {"field", names_of(all_fields())}};
   return schema.dump(1);
 }
 

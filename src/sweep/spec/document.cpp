@@ -17,7 +17,15 @@ namespace {
 
 constexpr auto own_keys = std::to_array<KeyInfo>({
     {"title", KeyForm::text, "the sweep's name, in the table and above pictures", "none"},
-    {.name = "sweep", .form = KeyForm::table, .meaning = "the tuples: parameters and axes", .keys = keys_of_sweep},
+    {.name = "sweep",
+     .form = KeyForm::one_or_several,
+     .meaning = "the tuples: parameters and axes; of several [[sweep]] one after the other",
+     .keys = keys_of_sweep},
+    {.name = "defaults",
+     .form = KeyForm::table,
+     .meaning = "keys of each [[sweep]] that does not have them itself",
+     .usual = "none",
+     .keys = keys_of_sweep},
     {.name = "plot",
      .form = KeyForm::one_or_several,
      .meaning = "the pictures that 'sigmasweep plot' draws",
@@ -36,7 +44,7 @@ constexpr auto own_keys = std::to_array<KeyInfo>({
 
 /// Refuses a plot whose data the sweep does not have.
 void require_plottable(const Entry& entry, const PlotSpec& plot, const Document& document) {
-  const auto& tuples = document.grid->representatives;
+  const auto& tuples = document.tuples->representatives();
   const bool films = plot.kind == PlotKind::trajectories;
   if (films && !document.trajectory) refuse(entry, "kind = 'trajectories' needs a table [trajectory]");
   if (plot.by_phase && std::ranges::none_of(tuples, conditions::vibrates.holds))
@@ -49,12 +57,19 @@ void require_plottable(const Entry& entry, const PlotSpec& plot, const Document&
 }
 
 std::vector<PlotSpec> plots_of(const std::optional<Entry>& entry, const Document& document) {
-  const PlotSpec usual = document.grid ? usual_plot(*document.grid) : PlotSpec{};
+  const PlotSpec usual = document.tuples ? usual_plot(document.tuples->representatives()) : PlotSpec{};
   if (!entry) return {usual};
   std::vector<PlotSpec> plots = read_plots(*entry, usual);
-  if (!document.grid) return plots;  // there are mistakes in [sweep]
+  if (!document.tuples) return plots;  // there are mistakes in [sweep]
   for (const PlotSpec& plot : plots) require_plottable(*entry, plot, document);
   return plots;
+}
+
+void read_tuples(Document& document, const Entry& sweep, const std::optional<Entry>& defaults, bool keys_alone) {
+  if (keys_alone)
+    require_readable(sweep, defaults);
+  else
+    document.tuples.emplace(sweep, defaults);
 }
 
 void require_known(const Entry& entry, std::span<const SpecSection> sections) {
@@ -71,13 +86,18 @@ Document::Document(std::string_view given, std::string name)
 void read_tables(Document& document, std::span<const SpecSection> sections, bool any_section) {
   Mistakes& mistakes = document.mistakes;
   const bool has_syntax_mistakes = mistakes.are_there();  // lines are left out: keys may be missing
-  std::optional<Entry> plot;
+  const auto tables = entries(document.toml, document.file, "");
+  std::optional<Entry> plot, defaults;
+  for (const Entry& entry : tables)
+    if (entry.name == "defaults") defaults = entry;
   const auto read = [&](const Entry& entry) {
     if (!any_section) require_known(entry, sections);
     if (entry.name == "title")
       document.title = as_string(entry);
     else if (entry.name == "sweep")
-      document.grid = read_sweep(entry, has_syntax_mistakes);
+      read_tuples(document, entry, defaults, has_syntax_mistakes);
+    else if (entry.name == "defaults")
+      as_table(entry);
     else if (entry.name == "plot")
       plot = entry;
     else if (entry.name == "run")
@@ -87,10 +107,10 @@ void read_tables(Document& document, std::span<const SpecSection> sections, bool
     else
       document.sections.push_back(entry);
   };
-  for (const Entry& entry : entries(document.toml, document.file, "")) mistakes.keep([&] { read(entry); });
+  for (const Entry& entry : tables) mistakes.keep([&] { read(entry); });
   mistakes.keep([&] { document.plots = plots_of(plot, document); });
   mistakes.refuse_any(Mistakes::readable);
-  if (!document.grid) throw SpecError(fmt::format("{}: the table [sweep] is missing", document.file));
+  if (!document.tuples) throw SpecError(fmt::format("{}: the table [sweep] is missing", document.file));
 }
 
 std::vector<KeyInfo> keys_of_spec(std::span<const SpecSection> sections) {

@@ -9,7 +9,7 @@
 #include "sigmasweep/sweep/sweep.hpp"
 #include "sweep/spec/entry.hpp"
 #include "sweep/spec/key.hpp"
-#include "sweep/spec/sweep.hpp"
+#include "sweep/spec/tuples/tuples.hpp"
 #include "sweep/toml/mistakes.hpp"
 
 namespace sigmasweep::spec {
@@ -26,7 +26,7 @@ struct Document {
   toml::table toml;
   std::string title;
   RunSpec run;
-  std::optional<Grid> grid;  ///< has a value after read_tables()
+  std::optional<Tuples> tuples;  ///< has a value after read_tables()
   std::optional<Entry> trajectory;
   std::vector<PlotSpec> plots;
   std::vector<Entry> sections;  ///< tables that belong to studies

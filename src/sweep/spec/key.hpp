@@ -27,6 +27,7 @@ enum class KeyForm {
   numbers,
   choices,
   groups,
+  names,  ///< a list of parameters
   table,
   tables,         ///< a list of tables
   one_or_several  ///< a table, or a list of tables

@@ -239,9 +239,9 @@ PlotSpec read_plot(const Entry& plot, PlotSpec spec) {
 
 }  // namespace
 
-PlotSpec usual_plot(const Grid& grid) {
+PlotSpec usual_plot(const std::vector<Parameters>& representatives) {
   PlotSpec spec;
-  if (!std::ranges::all_of(grid.representatives, is_vibrated)) return spec;
+  if (!std::ranges::all_of(representatives, is_vibrated)) return spec;
   spec.x = "alpha";
   spec.y = "h_cm_excess";
   spec.x_log = false;

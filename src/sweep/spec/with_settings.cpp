@@ -3,27 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include "base/text/numbers.hpp"
 #include "sigmasweep/base/errors.hpp"
+#include "sweep/toml/place_in_text.hpp"
+#include "sweep/toml/sweep_tables.hpp"
 #include "sweep/toml/toml_guard.hpp"
 
 namespace sigmasweep::spec {
 namespace {
-
-/// The place in the text of a position of the parser, whose columns count characters, not bytes of UTF-8.
-std::size_t offset_of(std::string_view text, toml::source_position position) {
-  std::size_t at = 0;
-  for (toml::source_index line = 1; line < position.line; ++line) at = std::min(text.find('\n', at), text.size()) + 1;
-  const auto is_inside = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U; };
-  for (toml::source_index column = 1; column < position.column && at < text.size(); ++column)
-    for (++at; at < text.size() && is_inside(at);) ++at;
-  return std::min(at, text.size());
-}
 
 /// The text of a value alone, without the comment behind it; nothing if it is not a value of TOML.
 std::optional<std::string> value_in(const std::string& typed) {
@@ -117,17 +112,27 @@ void add(std::string& text, const toml::table& sweep, const Setting& setting) {
   text.insert(behind_line(text, offset_of(text, end_of_keys(sweep))), (has_header ? "\n" : "\nsweep.") + line);
 }
 
-void set(std::string& text, const Setting& setting) {
-  const toml::table table = toml::parse(text);
-  const toml::table* sweep = table["sweep"].as_table();
-  if (sweep == nullptr) return;
-  const toml::node* node = sweep->get(setting.key);
-  if (node == nullptr) return add(text, *sweep, setting);
-  if (node->is_table() && !node->as_table()->is_inline())
+void replace(std::string& text, const toml::node& node, const Setting& setting) {
+  if (node.is_table() && !node.as_table()->is_inline())
     throw UsageError(fmt::format("--set {}: the spec gives {} in several lines; write it as one value there",
                                  setting.key, setting.key));
-  const std::size_t begin = offset_of(text, node->source().begin);
-  text.replace(begin, offset_of(text, node->source().end) - begin, setting.value);
+  const std::size_t begin = offset_of(text, node.source().begin);
+  text.replace(begin, offset_of(text, node.source().end) - begin, setting.value);
+}
+
+/// Sets a key in [defaults] and in each [sweep] that has it; where none has it, in each [sweep].
+void set(std::string& text, const Setting& setting) {
+  const toml::table spec = toml::parse(text);
+  std::vector<const toml::table*> tables = sweep_tables(spec);
+  std::ranges::sort(tables, std::greater<>(), [](const toml::table* table) {  // what is before a change stays in place
+    return std::pair(table->source().begin.line, table->source().begin.column);
+  });
+  const auto has = [&](const toml::table* table) { return table->contains(setting.key); };
+  const bool is_there = std::ranges::any_of(tables, has);
+  for (const toml::table* table : tables) {
+    if (has(table)) replace(text, *table->get(setting.key), setting);
+    if (!is_there && table != spec["defaults"].as_table()) add(text, *table, setting);
+  }
 }
 
 }  // namespace

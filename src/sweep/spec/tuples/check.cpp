@@ -1,4 +1,4 @@
-#include "sweep/spec/check.hpp"
+#include "sweep/spec/tuples/check.hpp"
 
 #include <algorithm>
 #include <array>

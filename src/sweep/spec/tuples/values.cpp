@@ -1,4 +1,4 @@
-#include "sweep/spec/values.hpp"
+#include "sweep/spec/tuples/values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -185,10 +185,11 @@ void require_pairs(const std::vector<Setting>& settings, const ParameterGrid& pr
   const bool linear = !find(settings, "law") || largest(*find(settings, "law")) == 0.0;
   static_assert(static_cast<int>(Law::hooke) == 0);
   const Parameters& base = product.base();
-  const auto few =
-      reduced_groups(groups_of_pairs(base, product.groups()), linear ? max_linear_pairs : CalibrationCache::max_pairs);
+  const auto few = reduced_groups(groups_of_pairs(base, product.groups(), product.dependents()),
+                                  linear ? max_linear_pairs : CalibrationCache::max_pairs);
   for (std::uint64_t i = 0; i < size_of(few); ++i) {
     Parameters pair = values_at(base, few, i);
+    product.dependents().set(pair);
     product.contacts().derive_contact(pair);
     for (const double value : ends(settings, gap.name, 0.0)) {
       Parameters p = pair;

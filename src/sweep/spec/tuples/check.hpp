@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sigmasweep/model/parameters.hpp"
-#include "sweep/spec/axis.hpp"
+#include "sweep/spec/tuples/axis.hpp"
 
 /// Checks of which settings of [sweep] are given together. All throw SpecError.
 namespace sigmasweep::spec {

@@ -1,4 +1,4 @@
-#include "sweep/spec/representatives.hpp"
+#include "sweep/spec/tuples/representatives.hpp"
 
 #include <algorithm>
 #include <set>
@@ -30,7 +30,8 @@ std::set<Values> representative_values(const ParameterGrid::Group& group) {
 
 }  // namespace
 
-std::vector<Parameters> representative_tuples(const Parameters& base, const std::vector<ParameterGrid::Group>& groups) {
+std::vector<Parameters> representative_tuples(const Parameters& base, const std::vector<ParameterGrid::Group>& groups,
+                                              const Dependents& dependents) {
   std::vector<Parameters> tuples{base};
   for (const ParameterGrid::Group& group : groups) {
     std::vector<Parameters> more;
@@ -41,6 +42,7 @@ std::vector<Parameters> representative_tuples(const Parameters& base, const std:
       }
     tuples = std::move(more);
   }
+  for (Parameters& tuple : tuples) dependents.set(tuple);
   return tuples;
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sweep/grid.hpp"
-#include "sweep/spec/check.hpp"
+#include "sweep/spec/tuples/check.hpp"
 
 /// Checks of the values of several settings together. All throw SpecError.
 namespace sigmasweep::spec {

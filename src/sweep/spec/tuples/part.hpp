@@ -8,11 +8,10 @@
 #include "sweep/grid.hpp"
 #include "sweep/selection.hpp"
 #include "sweep/spec/entry.hpp"
-#include "sweep/spec/key.hpp"
 
 namespace sigmasweep::spec {
 
-/// The table [sweep].
+/// A table [sweep]: all tuples of a spec, or one part of them.
 struct Grid {
   ParameterGrid product;
   std::vector<const ParameterField*> given;  ///< parameters in [sweep], in spec order
@@ -22,9 +21,11 @@ struct Grid {
   std::optional<Selection> selection;       ///< indices of the product that satisfy `where`
 };
 
-/// Reads the table [sweep]. Nothing if `keys_alone` are to be checked, each by itself. Throws SpecError.
-std::optional<Grid> read_sweep(const Entry& sweep, bool keys_alone);
-/// The keys of [sweep] that are not parameters.
-std::vector<KeyInfo> keys_of_sweep();
+/// Number of tuples that are computed.
+std::uint64_t size_of(const Grid& grid);
+
+/// Reads a table [sweep], and the keys of [defaults] that it does not have itself and that its tuples use. Nothing if
+/// `keys_alone` are to be checked, each by itself. Throws SpecError.
+std::optional<Grid> read_part(const Entry& sweep, const std::vector<Entry>& defaults, bool keys_alone);
 
 }  // namespace sigmasweep::spec
