@@ -3,6 +3,7 @@
 Environment: SIGMASWEEP, the program; MPIEXEC, mpirun with its options; FAILING_CALLS, the library of failing_calls.c.
 """
 
+import concurrent.futures
 import ctypes
 import errno
 import os
@@ -247,6 +248,13 @@ def wait_until_unlocked(sweep):
             return
         time.sleep(0.05)
     raise AssertionError("a rank outlived its mpirun")
+
+
+def at_once(call, *arguments):
+    """Calls a function that waits most of its time with each of the arguments, all at the same time. Its results, in
+    order; the first error where it fails."""
+    with concurrent.futures.ThreadPoolExecutor(len(arguments)) as pool:
+        return list(pool.map(call, arguments))
 
 
 def stopped_sweep():
