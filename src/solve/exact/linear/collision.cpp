@@ -44,8 +44,6 @@ template Outcome<long double> exact_collision_from(const Column<long double>&, s
 namespace {
 
 using error_bar::safety;
-/// Where masses differ, a contact's impulse is shared out in rounded parts.
-constexpr double shares = 3.0;
 /// From this tolerance on short series are tried first: two thirds of the time, and bars of about 1e-5.
 constexpr double loose = 1e-4;
 /// Work (ExactColumn::work) up to which a wide type is tried: about a second in each.
@@ -62,7 +60,7 @@ struct Effort {
 template <class Real, bool HasUnequalMasses, int Order>
 SimulationResult computed_from(const Column<Real>& column, const Parameters& p, const RunLimits& limits,
                                Effort& effort) {
-  using Exact = ExactColumn<Real, 1, HasUnequalMasses, Order>;
+  using Exact = ExactColumn<Real, error_bar::draws, HasUnequalMasses, Order>;
   Exact exact(column, limits);
   const Outcome<Real> outcome = exact.run();
   effort = {exact.work(), static_cast<double>(exact.disturbance()), {}};
@@ -70,7 +68,7 @@ SimulationResult computed_from(const Column<Real>& column, const Parameters& p, 
   SimulationResult c = to_si_result<Real>(outcome, p, column.mass);
   if (c.status != Status::ok) return c;
   double roundings = error_bar::last_roundings + error_bar::drift * double(exact.work()) / double(p.N);
-  if constexpr (HasUnequalMasses) roundings += shares * double(outcome.contacts) / double(p.N);
+  if constexpr (HasUnequalMasses) roundings += error_bar::shares * double(outcome.contacts) / double(p.N);
   const Real size = error_bar::size(p, c.eps_eff);
   const Real error = exact.error(safety) + Real(roundings) * Exact::local_error() * size;
   c.eps_eff_error = static_cast<double>(error) + 0.5 * std::numeric_limits<double>::epsilon() * c.eps_eff;

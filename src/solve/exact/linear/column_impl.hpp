@@ -193,10 +193,14 @@ void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::move_binary(G
 /// A rounding error of the state of contact i, whose parts are of the given magnitude.
 template <class Real, int Tangents, bool HasUnequalMasses, int Order, class Ground>
 void ExactColumn<Real, Tangents, HasUnequalMasses, Order, Ground>::disturb(std::size_t i, const State& magnitude) {
-  const Real rounding = local_error();
-  for (int m = 1; m < motions; ++m) {
-    motion_[m].x[i] += Real(noise_.next()) * rounding * magnitude.x;
-    motion_[m].u[i] += Real(noise_.next()) * rounding * magnitude.u;
+  if constexpr (Tangents > 0) {
+    static_assert(Tangents <= 2);
+    const Real rounding = local_error(), of_x = rounding * magnitude.x, of_u = rounding * magnitude.u;
+    const auto random = noise_.four();
+    for (int m = 1; m < motions; ++m) {
+      motion_[m].x[i] += Real(random[std::size_t(2 * m - 2)]) * of_x;
+      motion_[m].u[i] += Real(random[std::size_t(2 * m - 1)]) * of_u;
+    }
   }
 }
 

@@ -3,8 +3,8 @@
 namespace sigmasweep {
 
 template class ExactColumn<long double, 0, false>;
-template class ExactColumn<long double, 1, false>;
+template class ExactColumn<long double, 2, false>;
 template class ExactColumn<long double, 0, true>;
-template class ExactColumn<long double, 1, true>;
+template class ExactColumn<long double, 2, true>;
 
 }  // namespace sigmasweep

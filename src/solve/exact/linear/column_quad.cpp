@@ -4,8 +4,8 @@
 namespace sigmasweep {
 
 template class ExactColumn<Quad, 0, false>;
-template class ExactColumn<Quad, 1, false>;
+template class ExactColumn<Quad, 2, false>;
 template class ExactColumn<Quad, 0, true>;
-template class ExactColumn<Quad, 1, true>;
+template class ExactColumn<Quad, 2, true>;
 
 }  // namespace sigmasweep

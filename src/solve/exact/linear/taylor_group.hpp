@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "contact/contact_state.hpp"
@@ -60,6 +61,8 @@ template <class Real, int Tangents, bool HasUnequalMasses = false, int Order = T
 class TaylorGroup {
  public:
   static constexpr int order = Order, motions = 1 + Tangents;
+  /// Two digits of a disturbance are enough for an error bar: reach^11/11! = 5e-5.
+  static constexpr int disturbed_order = std::min(Order, 10);
 
   /// `contacts` to propagate; room for them is kept between uses.
   void resize(std::size_t contacts) {
@@ -162,7 +165,7 @@ class TaylorGroup {
     std::fill(u.begin() + std::ptrdiff_t(moving), u.begin() + std::ptrdiff_t(contacts_), Real(0));
     for (std::size_t b = 0; b < live_; ++b) {
       Block value, slope;
-      for (int p = order; p >= 0; --p) {
+      for (int p = motion == 0 ? order : disturbed_order; p >= 0; --p) {
         slope = slope * Block(s) + value;
         value = value * Block(s) + term(p, motion, b);
       }
@@ -258,13 +261,14 @@ class TaylorGroup {
       a[c] = term(0, c / InRegisters, c % InRegisters);
       b[c] = term(1, c / InRegisters, c % InRegisters);
     }
-    for (int p = 0; p + 2 <= order; ++p) {
+    const auto next_terms = [&](int p, auto first) {
+      constexpr int these = decltype(first)::value;
       const auto [spring, dashpot] = weights(p);
       SIGMASWEEP_UNROLL
-      for (int c = 0; c < chains; ++c)
+      for (int c = 0; c < these; ++c)
         f[c] = (K[c % InRegisters] * Block(spring)) * a[c] + (C[c % InRegisters] * Block(dashpot)) * b[c];
       SIGMASWEEP_UNROLL
-      for (int c = 0; c < chains; ++c) {
+      for (int c = 0; c < these; ++c) {
         const int r = c % InRegisters;
         a[c] = b[c];
         b[c] = coupling[r](shifted_up(r > 0 ? f[c - (r > 0)] : zero, f[c]), f[c],
@@ -273,14 +277,17 @@ class TaylorGroup {
           if (c == 0) b[c] = b[c] + drive_[std::size_t(p)];
         term(p + 2, c / InRegisters, r) = b[c];
       }
-    }
+    };
+    int p = 0;
+    for (; p + 2 <= disturbed_order; ++p) next_terms(p, std::integral_constant<int, chains>());
+    for (; p + 2 <= order; ++p) next_terms(p, std::integral_constant<int, InRegisters>());
   }
   void expand_many() {
     const std::size_t stride = blocks_ + 2;
     for (int m = 0; m < motions; ++m) force_[m * stride] = force_[m * stride + live_ + 1] = Block();
     for (int p = 0; p + 2 <= order; ++p) {
       const auto [spring, dashpot] = weights(p);
-      for (int m = 0; m < motions; ++m) {
+      for (int m = 0; m < (p + 2 <= disturbed_order ? motions : 1); ++m) {
         Block* const f = force_.data() + m * stride + 1;
         for (std::size_t b = 0; b < live_; ++b)
           f[b] = (K_[b] * Block(spring)) * term(p, m, b) + (C_[b] * Block(dashpot)) * term(p + 1, m, b);

@@ -109,21 +109,21 @@ TEST(ErrorBar, HoldsForWideGaps) {
 TEST(ErrorBar, DoesNotGrowWithTheGapsThatAWaveCloses) {
   for (const std::int64_t N : {50, 100})
     for (const double sigma : {0.02, 0.05, 0.1, 0.2, 0.7}) {
-      ExactColumn<double, 1, false> column(reduced_column<double>(soft_column(N, 0.9, sigma)),
+      ExactColumn<double, 2, false> column(reduced_column<double>(soft_column(N, 0.9, sigma)),
                                            RunLimits{.settle = 1e-13});
       column.run();
       EXPECT_LE(column.error(1.0), 1e-12) << "N=" << N << " sigma=" << sigma;
     }
 }
 
-// Errors of neighbouring places are draws of one distribution: the largest of three is compared with each bar, as one
+// Errors of neighbouring places are draws of one distribution: the largest of six is compared with each bar, as some
 // may be small by chance.
 TEST(ErrorBar, IsUsefulForLongColumnsAlongTheWholeCurve) {
   for (const std::int64_t N : {50, 100})
     for (const double sigma : {0.01, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.5}) {
       SCOPED_TRACE(testing::Message() << "N=" << N << " sigma=" << sigma);
       double largest_error = 0.0, largest_bar = 0.0;
-      for (int place = 0; place < 3; ++place) {
+      for (int place = 0; place < 6; ++place) {
         const Parameters p = soft_column(N, 0.9, sigma * (1.0 + 1e-3 * place));
         const SimulationResult c = simulate(p);
         ASSERT_EQ(c.status, Status::ok);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 #include <tuple>
 #include <vector>
 
@@ -23,7 +24,8 @@ namespace {
 
 using namespace sigmasweep;
 
-/// From touching beads to gaps that are wide against a contact, equal ones and random ones.
+/// From touching beads to gaps that are wide against a contact, equal ones and random ones; equal beads and unequal
+/// ones.
 std::vector<Parameters> random_tuples(std::uint64_t seed, int count, double most_beads) {
   Random uniform(seed);
   std::vector<Parameters> tuples;
@@ -34,11 +36,11 @@ std::vector<Parameters> random_tuples(std::uint64_t seed, int count, double most
     p.sigma = uniform() < 0.1 ? 0.0 : std::pow(10.0, -6.0 + 9.0 * uniform());
     if (uniform() < 0.5) p.wall = Wall::matched;
     if (uniform() < 0.2) p.random_separation = Flag::yes;
+    if (uniform() < 0.3) p.width = 1.2 * p.d * uniform();
     p.seed = std::int64_t(tuples.size());
     p = complete(p, GapParameter::sigma);
     if (goes_side_by_side(p)) tuples.push_back(p);
   }
-  std::ranges::stable_sort(tuples, {}, [](const Parameters& p) { return std::tuple(p.N, p.sigma); });
   return tuples;
 }
 
@@ -66,8 +68,9 @@ double error_against(const Parameters& p, const SimulationResult& c) {
   using std::abs;
   RunLimits limits;
   limits.settle = 1e-17;
-  const auto velocity = exact_collision(reduced_column<Real>(p), limits).velocity;
-  return static_cast<double>(abs(energies<Real>(velocity, Real(1)).eps_eff - Real(c.eps_eff)));
+  const auto column = reduced_column<Real>(p);
+  const auto velocity = exact_collision(column, limits).velocity;
+  return static_cast<double>(abs(energies<Real>(velocity, Real(1), column.mass).eps_eff - Real(c.eps_eff)));
 }
 
 double true_error(const Parameters& p, const SimulationResult& c) {
@@ -101,13 +104,16 @@ TEST(SideBySide, CompanyAndOrderChangeNoBit) {
   for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(bits(results[i]), bits(sorted[order[i]]));
 }
 
-// Among them some that go another way: many beads, unequal ones, and such as miss the tolerance at first.
+// Among them some that go another way: many beads, over-damped pairs, and such as miss the tolerance at first.
 TEST(SideBySide, ManyTuplesGiveTheBitsOfEachAlone) {
   auto tuples = random_tuples(6, 120, 12.0);
   for (std::size_t i = 0; i < tuples.size(); i += 10) {
     Parameters p = tuples[i];
     if (i % 3 == 0) p.N = 40;
-    if (i % 3 == 1) p.width = 0.2 * p.d;
+    if (i % 3 == 1) {
+      p.K_over_m = 1e10;
+      p.D_n = 2e5;
+    }
     if (i % 3 == 2) p.tolerance = 1e-15;
     tuples[i] = complete(p, GapParameter::sigma);
   }
@@ -125,10 +131,11 @@ TEST(SideBySide, UnitsChangeNoBit) {
   EXPECT_EQ(results[0].eps_eff_error, results[1].eps_eff_error);
 }
 
-TEST(SideBySide, ErrorBarsHoldForThreeThousandRandomTuples) {
+void expect_true_bars(std::uint64_t seed) {
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
   int results = 0, held = 0;
   ErrorBars bars;
-  const auto tuples = random_tuples(4, 3000, 20.0);
+  const auto tuples = random_tuples(seed, 3000, 20.0);
   const auto results_of = side_by_side(tuples, 0);
   for (std::size_t i = 0; i < tuples.size(); ++i) {
     const SimulationResult& c = results_of[i];
@@ -143,7 +150,12 @@ TEST(SideBySide, ErrorBarsHoldForThreeThousandRandomTuples) {
   bars.expect_useful(100.0);
 }
 
-// 1e-12: contact times and depths have no error bars; where eps_eff is good to 1e-13 they are, too.
+// Of 20,000 of these tuples the bars of 99.99 % hold.
+TEST(SideBySide, ErrorBarsHoldForThreeThousandRandomTuples) { expect_true_bars(4); }
+
+TEST(SideBySide, ErrorBarsHoldForAnyThreeThousandTuples) { expect_true_bars(std::random_device()()); }
+
+// Contact times and depths have no error bars; where eps_eff is good to 1e-13 they are to 1e-9 and 1e-12.
 TEST(SideBySide, AllResultsAreThoseOfTheColumnAlone) {
   int compared = 0;
   const auto tuples = random_tuples(5, 300, 16.0);
@@ -155,8 +167,8 @@ TEST(SideBySide, AllResultsAreThoseOfTheColumnAlone) {
     SCOPED_TRACE(testing::Message() << "N " << tuples[i].N << " eps " << tuples[i].epsilon << " sigma "
                                     << tuples[i].sigma);
     EXPECT_NEAR(c.eps_eff, alone.eps_eff, c.eps_eff_error + alone.eps_eff_error);
-    EXPECT_NEAR(c.Er_Ef, alone.Er_Ef, 1e-12);
-    EXPECT_NEAR(c.v_cm, alone.v_cm, 1e-12);
+    EXPECT_NEAR(c.Er_Ef, alone.Er_Ef, c.Er_Ef_error + alone.Er_Ef_error);
+    EXPECT_NEAR(c.v_cm, alone.v_cm, c.v_cm_error + alone.v_cm_error);
     EXPECT_NEAR(c.t_k, alone.t_k, 1e-9 * alone.t_k);
     EXPECT_NEAR(c.x_max, alone.x_max, 1e-12 * alone.x_max);
     EXPECT_EQ(c.end, alone.end);

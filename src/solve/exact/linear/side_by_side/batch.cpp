@@ -21,7 +21,7 @@ using namespace side_by_side;
 
 /// Tuples with equal N pass through two packs of lanes: one that goes by jumps from contact to contact, for columns in
 /// which nothing disturbs a closed contact, and one that goes by steps. Queues before them keep both full.
-template <int W>
+template <int W, bool HasUnequalMasses>
 class Batch {
  public:
   Batch(std::span<const Parameters> parameters, std::span<SimulationResult> results,
@@ -96,9 +96,10 @@ class Batch {
 
   std::span<const Parameters> parameters_;
   std::span<SimulationResult> results_;
-  std::span<const std::size_t> places_;  ///< the tuples with this N, in the order in which they are computed
-  LanePack<W, Jumps> jumps_;
-  LanePack<W, Columns> steps_;
+  std::span<const std::size_t>
+      places_;  ///< the tuples with this N, equal masses or not, in the order in which they are computed
+  LanePack<W, HasUnequalMasses, Jumps> jumps_;
+  LanePack<W, HasUnequalMasses, Columns> steps_;
   std::size_t next_ = 0;
 };
 
@@ -108,7 +109,7 @@ std::vector<std::size_t> sorted_places(std::span<const Parameters> parameters) {
   std::iota(places.begin(), places.end(), std::size_t(0));
   std::ranges::stable_sort(places, {}, [&](std::size_t i) {
     const Parameters& p = parameters[i];
-    return std::tuple(p.N, p.sigma, p.epsilon);
+    return std::tuple(p.N, p.width != 0.0, p.sigma, p.epsilon);
   });
   return places;
 }
@@ -116,20 +117,33 @@ std::vector<std::size_t> sorted_places(std::span<const Parameters> parameters) {
 template <int W>
 void run_all(std::span<const Parameters> parameters, std::span<SimulationResult> results) {
   const std::vector<std::size_t> places = sorted_places(parameters);
+  const auto go_together = [&](std::size_t i, std::size_t j) {
+    const Parameters &p = parameters[places[i]], &q = parameters[places[j]];
+    return p.N == q.N && (p.width != 0.0) == (q.width != 0.0);
+  };
   for (std::size_t first = 0, end = 0; first < places.size(); first = end) {
-    while (end < places.size() && parameters[places[end]].N == parameters[places[first]].N) ++end;
-    Batch<W>(parameters, results, std::span(places).subspan(first, end - first)).run();
+    while (end < places.size() && go_together(first, end)) ++end;
+    const auto together = std::span(places).subspan(first, end - first);
+    if (parameters[places[first]].width == 0.0)
+      Batch<W, false>(parameters, results, together).run();
+    else
+      Batch<W, true>(parameters, results, together).run();
   }
+}
+
+bool all_oscillate(const Column<double>& column) {
+  for (std::size_t k = 0; k < column.contacts(); ++k)
+    if (!BinaryContact<double>(column.spring(k), column.dashpot(k), column.inertia(k)).oscillates()) return false;
+  return true;
 }
 
 }  // namespace
 
 bool goes_side_by_side(const Parameters& p) {
-  if (p.N > most_beads || p.width != 0.0) return false;
-  if (p.K_over_m == 0.0 && p.epsilon > 1e-13) return true;  // 1 - (mu/omega0)^2 > 0.01, and more at the wall
-  const Column<double> column = reduced_column<double>(p);
-  return BinaryContact<double>(column.K, column.C, 2.0).oscillates() &&
-         BinaryContact<double>(column.K_wall, column.C_wall, 1.0).oscillates();
+  if (p.N > most_beads) return false;
+  if (p.width == 0.0 && p.K_over_m == 0.0 && p.epsilon > 1e-13)
+    return true;  // 1 - (mu/omega0)^2 > 0.01, more at the wall
+  return all_oscillate(reduced_column<double>(p));
 }
 
 void simulate_side_by_side(std::span<const Parameters> parameters, std::span<SimulationResult> results, int lanes) {

@@ -1,61 +1,63 @@
 #include "solve/exact/linear/side_by_side/isolated.hpp"
 
-#include <algorithm>
+#include <array>
 #include <bit>
 
 namespace sigmasweep::side_by_side {
 namespace {
 
 using State = ContactState<double>;
+using Wide = long double;
 
-constexpr double inertia(int k) { return k == 0 ? 1.0 : 2.0; }
-
-/// Contact k becomes `now`, and the gaps beside it receive the difference over its inertia.
-void replace(LaneState::Numbers& x, LaneState::Numbers& u, int N, int k, const State& now) {
-  const double share = 1.0 / inertia(k), push_x = share * (x[k] - now.x), push_u = share * (u[k] - now.u);
-  for (const int gap : {k - 1, k + 1}) {
-    if (gap < 0 || gap >= N) continue;
-    x[gap] += push_x;
-    u[gap] += push_u;
-  }
+/// Contact k becomes `now`, and the gaps beside it receive their shares of the difference.
+void replace(LaneState::Numbers& x, LaneState::Numbers& u, int N, int k, const IsolatedContact& contact,
+             const State& now) {
+  const double lost_x = x[k] - now.x, lost_u = u[k] - now.u;
+  const auto push = [&](int gap, double share) {
+    x[gap] += share * lost_x;
+    u[gap] += share * lost_u;
+  };
+  if (k > 0) push(k - 1, contact.share_below);
+  if (k + 1 < N) push(k + 1, contact.share_above);
   x[k] = now.x;
   u[k] = now.u;
 }
 
-using Wide = long double;
-
-ContactTimes times_of(Wide K, Wide C, Wide inertia, Wide step) {
-  const BinaryContact<Wide> law(K * step * step, C * step, inertia);
+IsolatedContact contact_of(const Column<Wide>& c, std::size_t k, Wide step) {
+  const Wide K = c.spring(k) * step * step, C = c.dashpot(k) * step, inertia = c.inertia(k);
+  const Wide above = c.inverse_mass(k);
+  const BinaryContact<Wide> law(K, C, inertia);
   const ContactState<Wide> start{0, 1};
-  return {double(-law.until_end(start).uu), double(law.time_left(start)), double(law.deepest(start))};
-}
-
-BinaryContact<double> contact_of(Wide K, Wide C, double inertia, Wide step) {
-  return {double(K * step * step), double(C * step), inertia};
+  return {.law = {double(K), double(C), double(inertia)},
+          .dashpot = double(C),
+          .inertia = double(inertia),
+          .inverse_mass = double(above),
+          .share_below = k == 0 ? 0.0 : double(c.inverse_mass(k - 1) / inertia),
+          .share_above = double(above / inertia),
+          .restitution = double(-law.until_end(start).uu),
+          .duration = double(law.time_left(start)),
+          .deepest = double(law.deepest(start))};
 }
 
 bool is_busy(const LaneState& s, int k) { return s.x[k] > 0.0 && s.u[k] < 0.0; }
 
 }  // namespace
 
-Isolated::Isolated(const Column<long double>& c, double step)
-    : pair_(contact_of(c.K, c.C, inertia(1), step)),
-      wall_(contact_of(c.K_wall, c.C_wall, inertia(0), step)),
-      of_pair_(times_of(c.K, c.C, inertia(1), step)),
-      at_wall_(times_of(c.K_wall, c.C_wall, inertia(0), step)),
-      dashpot_(double(c.C * step)),
-      wall_dashpot_(double(c.C_wall * step)) {}
+Isolated::Isolated(const Column<Wide>& column, double step) : last_(column.is_uniform() ? 1 : column.contacts() - 1) {
+  for (std::size_t k = 0; k <= last_; ++k) contacts_.push_back(contact_of(column, k, step));
+}
 
-/// A contact lasts D at most, and pushes a gap by (x + u t)/I at most.
+/// A contact lasts D at most, and pushes a gap by its share of x + u t at most.
 bool Isolated::may_jump(const double* x, const double* u, int stride, int N, std::uint64_t closed) const {
   for (; closed != 0; closed &= closed - 1) {
     const int k = std::countr_zero(closed);
-    const double share = 1.0 / inertia(k), duration = times(k == 0).duration;
-    for (const int gap : {k - 1, k + 1}) {
-      if (gap < 0 || gap >= N) continue;
+    const IsolatedContact& c = contact(k);
+    const auto stays_open = [&](int gap, double share) {
       const double approach = u[gap * stride] + share * u[k * stride];
-      if (!(x[gap * stride] + share * x[k * stride] + std::max(approach, 0.0) * duration < 0.0)) return false;
-    }
+      return x[gap * stride] + share * x[k * stride] + std::max(approach, 0.0) * c.duration < 0.0;
+    };
+    if (k > 0 && !stays_open(k - 1, c.share_below)) return false;
+    if (k + 1 < N && !stays_open(k + 1, c.share_above)) return false;
   }
   return true;
 }
@@ -74,8 +76,10 @@ bool Isolated::to_jumps(LaneState& s) const {
       if (k < 0 || k >= s.N || !s.closed[k]) continue;
       const int other = 2 * gap - k;
       double bound = s.x[gap] + s.u[gap] * busy_until[k];
-      if (other >= 0 && other < s.N && s.closed[other])
-        bound += std::max(s.x[other] + s.u[other] * busy_until[k], 0.0) / inertia(other);
+      if (other >= 0 && other < s.N && s.closed[other]) {
+        const double share = other > gap ? contact(other).share_below : contact(other).share_above;
+        bound += std::max(s.x[other] + s.u[other] * busy_until[k], 0.0) * share;
+      }
       if (!(bound < 0.0)) return false;
     }
   }
@@ -87,17 +91,19 @@ bool Isolated::to_jumps(LaneState& s) const {
 bool Isolated::close_at_once(LaneState& s, int k, LaneState::Numbers& busy_until) const {
   const State entry{s.x[k], s.u[k]};
   if ((k > 0 && s.closed[k - 1]) || entry.x < 0.0 || (entry.x == 0.0 && !(entry.u > 0.0))) return false;
-  const auto& law = contact(k);
-  const double left = law.time_left(entry);
-  const auto map = law.until_end(entry);
+  const IsolatedContact& c = contact(k);
+  const double left = c.law.time_left(entry);
+  const auto map = c.law.until_end(entry);
   const double rate = map(entry).u;
   if (!(rate < 0.0)) return false;
-  State d = map({s.dx[k], s.du[k]});
-  d.u += inertia(k) * (k == 0 ? wall_dashpot_ : dashpot_) * d.x;
-  s.depth[k] = entry.u > 0.0 ? law.deepest(entry) : 0.0;
+  for (auto& [dx, du] : s.disturbed) {
+    State d = map({dx[k], du[k]});
+    d.u += c.inertia * c.dashpot * d.x;
+    replace(dx, du, s.N, k, c, {d.x - d.u * left, d.u});
+  }
+  s.depth[k] = entry.u > 0.0 ? c.law.deepest(entry) : 0.0;
   if (k == 0) s.wall_opens = s.clock + left;
-  replace(s.dx, s.du, s.N, k, {d.x - d.u * left, d.u});
-  replace(s.x, s.u, s.N, k, {-rate * left, rate});
+  replace(s.x, s.u, s.N, k, c, {-rate * left, rate});
   busy_until[k] = left;
   ++s.contacts;
   return true;
@@ -115,15 +121,15 @@ void Isolated::to_steps(LaneState& s) const {
 }
 
 void Isolated::put_back(LaneState& s, int k) const {
-  const auto& law = contact(k);
-  const auto [restitution, duration, deepest] = times(k == 0);
-  const double since = std::max(duration + s.x[k] / s.u[k], 0.0), rate = -s.u[k] / restitution;
-  const auto map = law.after(since);
-  const double du = -s.du[k] / restitution;
-  const double dx = duration * du - (s.dx[k] - s.du[k] * since) / restitution;
-  const double damping = inertia(k) * (k == 0 ? wall_dashpot_ : dashpot_);
-  replace(s.dx, s.du, s.N, k, map({dx, du - damping * dx}));
-  replace(s.x, s.u, s.N, k, map({0.0, rate}));
+  const IsolatedContact& c = contact(k);
+  const double since = std::max(c.duration + s.x[k] / s.u[k], 0.0), rate = -s.u[k] / c.restitution;
+  const auto map = c.law.after(since);
+  for (auto& [dx, du] : s.disturbed) {
+    const double du_then = -du[k] / c.restitution;
+    const double dx_then = c.duration * du_then - (dx[k] - du[k] * since) / c.restitution;
+    replace(dx, du, s.N, k, c, map({dx_then, du_then - c.inertia * c.dashpot * dx_then}));
+  }
+  replace(s.x, s.u, s.N, k, c, map({0.0, rate}));
   --s.contacts;
 }
 

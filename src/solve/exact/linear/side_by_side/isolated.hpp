@@ -1,14 +1,23 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include "assembly/column.hpp"
 #include "contact/linear_pair.hpp"
 #include "solve/exact/linear/side_by_side/lane_state.hpp"
 
 namespace sigmasweep::side_by_side {
 
-/// Of an isolated contact: restitution, contact time, and largest overlap if it closes at unit rate.
-struct ContactTimes {
-  double restitution = 0.0, duration = 0.0, deepest = 0.0;
+/// A contact whose partners touch nothing else, in units of the step.
+struct IsolatedContact {
+  BinaryContact<double> law;
+  double dashpot, inertia;          ///< C h and 1/m_red
+  double inverse_mass;              ///< of the bead above
+  double share_below, share_above;  ///< what the gap on either side receives of a change of this one, but the sign
+  double restitution, duration;     ///< of the whole contact
+  double deepest;                   ///< largest overlap if it closes at unit rate
 };
 
 /// Takes a column from steps to jumps and back: closed contacts become busy ones, and busy ones closed (jump_impl.hpp).
@@ -17,7 +26,8 @@ class Isolated {
   /// `step`: the unit of time. In long double, as all contacts share the rounding errors of their constants.
   Isolated(const Column<long double>& column, double step);
 
-  const ContactTimes& times(bool wall) const { return wall ? at_wall_ : of_pair_; }
+  /// Of contact k; where all beads are equal, of the wall's contact 0 and of pairs.
+  const IsolatedContact& contact(int k) const { return contacts_[std::min(static_cast<std::size_t>(k), last_)]; }
   /// A test that costs next to nothing, of a column whose closed contacts are no neighbours: whether the gaps beside
   /// them surely stay open. Contact k has overlap x[k stride] and rate u[k stride].
   bool may_jump(const double* x, const double* u, int stride, int N, std::uint64_t closed) const;
@@ -26,13 +36,11 @@ class Isolated {
   void to_steps(LaneState& state) const;
 
  private:
-  const BinaryContact<double>& contact(int k) const { return k == 0 ? wall_ : pair_; }
   bool close_at_once(LaneState& state, int k, LaneState::Numbers& busy_until) const;
   void put_back(LaneState& state, int k) const;
 
-  BinaryContact<double> pair_, wall_;
-  ContactTimes of_pair_, at_wall_;
-  double dashpot_, wall_dashpot_;
+  std::vector<IsolatedContact> contacts_;
+  std::size_t last_;
 };
 
 }  // namespace sigmasweep::side_by_side

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace sigmasweep::side_by_side {
 namespace {
 
 using error_bar::safety;
+static_assert(disturbances == error_bar::draws);
 
 /// Equal columns have equal noise, whatever their units.
 std::uint64_t noise_key(const Column<double>& column) {
@@ -24,6 +26,7 @@ std::uint64_t noise_key(const Column<double>& column) {
   const auto take = [&key](double number) { key = random_bits(key ^ std::bit_cast<std::uint64_t>(number), 0); };
   for (const double number : {column.gap, column.K, column.C, column.K_wall, column.C_wall}) take(number);
   for (const double gap : column.gaps) take(gap);
+  for (const double mass : column.mass) take(mass);
   return key;
 }
 
@@ -44,7 +47,14 @@ Lane::Lane(const Parameters& parameters)
       step_limit_(static_cast<std::uint64_t>(200 + 20 * parameters.N * parameters.N)),
       between_looks_(SettleSchedule::contacts_between(column_.contacts())),
       next_look_(between_looks_),
-      settle_(1e-3 * parameters.tolerance) {}
+      settle_(1e-3 * parameters.tolerance) {
+  double largest = 2.0, all = static_cast<double>(column_.N);
+  if (!column_.is_uniform()) {
+    for (std::size_t k = 0; k < column_.contacts(); ++k) largest = std::max(largest, column_.inertia(k));
+    all = std::accumulate(column_.mass.begin(), column_.mass.end(), 0.0);
+  }
+  least_loss_ = 1.0 / (largest * all);
+}
 
 LaneState Lane::start() const {
   LaneState s;
@@ -56,24 +66,24 @@ LaneState Lane::start() const {
   // The gaps are rounded numbers: all of them the same way, as sigma is, or each for itself.
   const double widest =
       column_.gaps.empty() ? column_.gap : *std::max_element(column_.gaps.begin(), column_.gaps.end());
-  std::uint64_t signs = random_bits(key_, 0);
-  for (std::size_t k = 1; k < N; ++k) {
-    s.dx[k] = (signs & 1 ? rounding : -rounding) * widest;
-    if (!column_.gaps.empty()) signs >>= 1;
+  for (std::uint64_t d = 0; d < disturbances; ++d) {
+    std::uint64_t signs = noise(d);
+    for (std::size_t k = 1; k < N; ++k) {
+      s.disturbed[d].x[k] = signs & 1 ? widest : -widest;
+      if (!column_.gaps.empty()) signs >>= 1;
+    }
   }
   return s;
 }
 
 bool Lane::starts_by_jumps() const { return column_.N == 1 || column_.initial_gap(1) > 0.0; }
 
-std::uint64_t Lane::noise() { return random_bits(key_, ++steps_); }
-
-/// If velocities approach by u, at least u^2/2 of |v|^2 <= N will be lost: sqrt(E/E_0) falls by u^2/(4 N) or more. A
-/// bar with more than the tolerance left to dissipate is of no use.
+/// If beads approach by u, at least m_red u^2 of the mass-weighted |v|^2 <= M will be lost: sqrt(E/E_0) falls by half
+/// of m_red u^2/M or more. A bar with more than the tolerance left to dissipate is of no use.
 bool Lane::wants_look(std::uint64_t contacts, double approach) {
   if (steps_ >= step_limit_) return true;
   const double u = approach / law_->step;
-  if (u * u <= parameters_.tolerance * 4.0 * static_cast<double>(column_.N)) return true;
+  if (0.5 * least_loss_ * u * u <= parameters_.tolerance) return true;
   next_look_ = look_after(contacts);
   return false;
 }
@@ -95,13 +105,16 @@ auto Lane::balance(const LaneState& state) const -> Balance {
   const EnergyBalance<double> energy(column_, std::span(state.closed).first(N), std::span(state.x).first(N),
                                      velocities(state.u, N, law_->step));
   const auto outlook = energy.outlook();
-  const std::span<const double> dx = std::span(state.dx).first(N);
-  const std::vector<double> dv = velocities(state.du, N, law_->step);
-  return {.disturbance = energy.change(dx, dv),
-          .remaining = outlook.decrease,
-          .distance = energy.distance(dx, dv),
-          .ahead = 2.0 * outlook.final_distance,
-          .present = outlook.final_distance + outlook.present_distance};
+  Balance now{.remaining = outlook.decrease,
+              .ahead = 2.0 * outlook.final_distance,
+              .present = outlook.final_distance + outlook.present_distance};
+  for (const auto& [dx, du] : state.disturbed) {
+    const std::span<const double> x = std::span(dx).first(N);
+    const std::vector<double> v = velocities(du, N, law_->step);
+    now.disturbance = std::max(now.disturbance, rounding * energy.change(x, v));
+    now.distance = std::max(now.distance, rounding * energy.distance(x, v));
+  }
+  return now;
 }
 
 void Lane::note(const Balance& now) {
@@ -117,12 +130,14 @@ SimulationResult Lane::result(const LaneState& state) {
   outcome.contacts = state.contacts;
   outcome.end = settled_ ? End::settled : state.separated ? End::separated : End::none;
   outcome.status = outcome.end == End::none ? Status::event_limit : Status::ok;
-  SimulationResult c = to_si_result(outcome, parameters_);
+  SimulationResult c = to_si_result<double>(outcome, parameters_, column_.mass);
   if (c.status != Status::ok) return c;
   const Balance now = balance(state);
   note(now);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const double roundings = error_bar::last_roundings + error_bar::drift * static_cast<double>(steps_);
+  double roundings = error_bar::last_roundings + error_bar::drift * static_cast<double>(steps_);
+  if (!column_.is_uniform())
+    roundings += error_bar::shares * static_cast<double>(outcome.contacts) / static_cast<double>(column_.N);
   const double size = error_bar::size(parameters_, c.eps_eff);
   c.eps_eff_error = least_ + roundings * epsilon * size + 0.5 * epsilon * c.eps_eff;
   set_errors_of_motion(c, least_of_velocity_ + now.present + roundings * epsilon * size);

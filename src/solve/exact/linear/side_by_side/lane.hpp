@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "assembly/column.hpp"
+#include "base/random.hpp"
 #include "sigmasweep/model/parameters.hpp"
 #include "sigmasweep/model/result.hpp"
 #include "solve/exact/linear/side_by_side/lane_law.hpp"
@@ -23,11 +24,14 @@ class Lane {
   LaneState start() const;
   bool starts_by_jumps() const;
   const Isolated& isolated() const { return law_->isolated; }
-  /// The sign of the rounding error of a restitution in the disturbance.
-  double sign(bool wall) const { return key_ >> wall & 1 ? 1.0 : -1.0; }
+  /// 1/m of the bead above contact k.
+  double inverse_mass(int k) const { return law_->isolated.contact(k).inverse_mass; }
+  /// The sign of the rounding error of contact k's restitution in disturbance d.
+  double sign(std::uint64_t d, int k) const { return random_bits(~key_, d) >> k & 1 ? 1.0 : -1.0; }
 
-  /// Random bits for the next step.
-  std::uint64_t noise();
+  /// Random bits for the next step of the disturbance number d: 32 for overlaps and 32 for rates.
+  void next_step() { ++steps_; }
+  std::uint64_t noise(std::uint64_t d) const { return random_bits(key_, disturbances * steps_ + d); }
   /// Whether it is time for a look, or to give up.
   bool is_due(std::uint64_t contacts) const { return contacts >= next_look_ || steps_ >= step_limit_; }
   /// Whether a look would be of use, where one is due; `approach` is the largest rate at which an overlap grows. If
@@ -54,6 +58,7 @@ class Lane {
   std::uint64_t key_;  ///< of the random numbers
   std::uint64_t steps_ = 0, step_limit_, between_looks_, next_look_;
   double settle_;
+  double least_loss_ = 0.0;  ///< of |v|^2 over the initial one where beads approach by 1
   /// The smallest error bars that a look has found, of eps_eff and of the velocities.
   double least_ = std::numeric_limits<double>::infinity(), least_of_velocity_ = least_;
   bool settled_ = false;

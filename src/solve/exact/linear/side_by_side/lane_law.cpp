@@ -14,7 +14,9 @@ namespace {
 
 double longest_step(const Column<double>& column) {
   const std::vector<std::uint8_t> closed(column.contacts(), 1);
-  return StepLengths<double, false>(column).longest(0, column.contacts() - 1, closed);
+  const std::size_t last = column.contacts() - 1;
+  return column.is_uniform() ? StepLengths<double, false>(column).longest(0, last, closed)
+                             : StepLengths<double, true>(column).longest(0, last, closed);
 }
 
 LaneLaw made_for(const Parameters& p) {
@@ -22,15 +24,14 @@ LaneLaw made_for(const Parameters& p) {
   const double h = longest_step(column);
   return {.step = h,
           .spring = column.K * h * h,
-          .dashpot = column.C * h,
           .wall_spring = column.K_wall * h * h,
-          .wall_dashpot = column.C_wall * h,
           .isolated = Isolated(reduced_column<long double>(p), h)};
 }
 
 }  // namespace
 
 std::shared_ptr<const LaneLaw> law_of(const Parameters& p) {
+  if (p.width != 0.0) return std::make_shared<const LaneLaw>(made_for(p));
   using Key = std::tuple<std::int64_t, double, double, double, double, Wall>;
   constexpr std::size_t most = 16;
   thread_local std::vector<std::pair<Key, std::shared_ptr<const LaneLaw>>> known;

@@ -2,19 +2,19 @@
 
 #include <memory>
 
-#include "sigmasweep/model/parameters.hpp"
+#include "assembly/column.hpp"
 #include "solve/exact/linear/side_by_side/isolated.hpp"
 
 namespace sigmasweep::side_by_side {
 
-/// What columns with the same contacts and the same number of beads have in common.
+/// The law of a column's contacts, in units of its step.
 struct LaneLaw {
-  double step;  ///< h, in t_c: 2 over the largest rate of a mode of the column when all its contacts are closed
-  double spring, dashpot, wall_spring, wall_dashpot;  ///< K h^2 and C h
+  double step = 0.0;                       ///< in t_c
+  double spring = 0.0, wall_spring = 0.0;  ///< K h^2
   Isolated isolated;
 };
 
-/// The law of a tuple. Those that were asked for last are remembered, as their constants are dear.
+/// Equal beads: many columns of a sweep have one law, and the last few are remembered.
 std::shared_ptr<const LaneLaw> law_of(const Parameters& parameters);
 
 }  // namespace sigmasweep::side_by_side

@@ -7,11 +7,16 @@
 
 namespace sigmasweep::side_by_side {
 
-/// The state of one column out of many: of contact k at [k]. Rates and the clock are in units of the step.
+/// The state of one column out of many: of contact k at [k]. Rates and the clock are in units of the step, disturbances
+/// in units of a rounding error.
 struct LaneState {
   using Numbers = std::array<double, most_beads>;
+  struct Disturbance {
+    Numbers x{}, u{};
+  };
   int N = 0;
-  Numbers x{}, u{}, dx{}, du{};
+  Numbers x{}, u{};
+  std::array<Disturbance, disturbances> disturbed{};
   std::array<std::uint8_t, most_beads> closed{};  ///< as long as the column goes by steps
   Numbers depth{};                                ///< these two as in Jumps, as long as it goes by jumps
   double wall_opens = 0.0;

@@ -18,12 +18,14 @@ struct Traveller {
 };
 
 /// W lanes and the queue before them. InLanes: Columns or Jumps.
-template <int W, template <int> class InLanes>
+template <int W, bool HasUnequalMasses, template <int, bool> class InLanes>
 class LanePack {
- public:
-  explicit LanePack(int N) : block_(std::make_unique<InLanes<W>>()) { block_->N = N; }
+  using Block = InLanes<W, HasUnequalMasses>;
 
-  InLanes<W>& block() { return *block_; }
+ public:
+  explicit LanePack(int N) : block_(std::make_unique<Block>()) { block_->N = N; }
+
+  Block& block() { return *block_; }
   Traveller* in_lane(int l) { return inside_[l].get(); }
   int occupied() const { return occupied_; }
   int present() const { return occupied_ + static_cast<int>(waiting_.size()); }
@@ -39,7 +41,7 @@ class LanePack {
         ++occupied_;
         put(l);
       }
-      if (inside_[l]) block_->noise[l] = inside_[l]->lane.noise();
+      if (inside_[l]) draw_noise(l);
     }
   }
 
@@ -47,7 +49,7 @@ class LanePack {
   bool wants_look(int l) {
     if (!inside_[l]->lane.is_due(block_->contacts[l])) return false;
     double approach = 0.0;
-    for (int k = 0; k < block_->N; ++k) approach = std::max(approach, block_->u[k][l]);
+    for (int k = 0; k < block_->N; ++k) approach = std::max(approach, block_->a[1][k][l]);
     return inside_[l]->lane.wants_look(block_->contacts[l], approach);
   }
 
@@ -55,19 +57,21 @@ class LanePack {
   bool may_jump(int l) const {
     const std::uint64_t closed = block_->closed_bits[l];
     return !(closed & closed >> 1) &&
-           inside_[l]->lane.isolated().may_jump(&block_->x[0][l], &block_->u[0][l], W, block_->N, closed);
+           inside_[l]->lane.isolated().may_jump(&block_->a[0][0][l], &block_->a[1][0][l], W, block_->N, closed);
   }
 
   /// The state of the column in lane l.
   LaneState state(int l) const {
-    const InLanes<W>& b = *block_;
+    const Block& b = *block_;
     LaneState s;
     s.N = b.N;
     for (int k = 0; k < b.N; ++k) {
-      s.x[k] = b.x[k][l];
-      s.u[k] = b.u[k][l];
-      s.dx[k] = b.dx[k][l];
-      s.du[k] = b.du[k][l];
+      s.x[k] = b.a[0][k][l];
+      s.u[k] = b.a[1][k][l];
+      for (int d = 0; d < disturbances; ++d) {
+        s.disturbed[d].x[k] = b.d[0][k][d * W + l];
+        s.disturbed[d].u[k] = b.d[1][k][d * W + l];
+      }
     }
     s.clock = b.clock[l];
     s.wall_opened = b.wall_opened[l];
@@ -86,13 +90,16 @@ class LanePack {
 
  private:
   void put(int l) {
-    InLanes<W>& b = *block_;
+    Block& b = *block_;
     const LaneState& s = inside_[l]->state;
     for (int k = 0; k < b.N; ++k) {
-      b.x[k][l] = s.x[k];
-      b.u[k][l] = s.u[k];
-      b.dx[k][l] = s.dx[k];
-      b.du[k][l] = s.du[k];
+      b.a[0][k][l] = s.x[k];
+      b.a[1][k][l] = s.u[k];
+      b.inverse_mass[k][l] = inside_[l]->lane.inverse_mass(k);
+      for (int d = 0; d < disturbances; ++d) {
+        b.d[0][k][d * W + l] = static_cast<float>(s.disturbed[d].x[k]);
+        b.d[1][k][d * W + l] = static_cast<float>(s.disturbed[d].u[k]);
+      }
     }
     b.clock[l] = s.clock;
     b.wall_opened[l] = s.wall_opened;
@@ -103,37 +110,58 @@ class LanePack {
     put_own(inside_[l]->lane, s, b, l);
   }
 
-  static void take_own(LaneState& s, const Columns<W>& b, int l) {
-    for (int k = 0; k < b.N; ++k) s.closed[k] = b.closed[k][l] != 0;
-  }
-  static void take_own(LaneState& s, const Jumps<W>& b, int l) {
-    for (int k = 0; k < b.N; ++k) s.depth[k] = b.depth[k][l];
-    s.wall_opens = b.wall_opens[l];
-  }
-  static void put_own(const Lane& lane, const LaneState& s, Columns<W>& b, int l) {
-    b.closed_bits[l] = 0;
-    for (int k = 0; k < b.N; ++k) {
-      b.closed[k][l] = s.closed[k] ? -1 : 0;
-      b.closed_bits[l] |= std::uint64_t(s.closed[k]) << k;
-    }
-    b.spring[l] = lane.law().spring;
-    b.dashpot[l] = lane.law().dashpot;
-    b.wall_spring[l] = lane.law().wall_spring;
-    b.wall_dashpot[l] = lane.law().wall_dashpot;
-  }
-  static void put_own(const Lane& lane, const LaneState& s, Jumps<W>& b, int l) {
-    for (int k = 0; k < b.N; ++k) b.depth[k][l] = s.depth[k];
-    b.wall_opens[l] = s.wall_opens;
-    for (int wall = 0; wall < 2; ++wall) {
-      const ContactTimes& times = lane.isolated().times(wall);
-      b.restitution[wall][l] = times.restitution;
-      b.restitution_error[wall][l] = lane.sign(wall) * times.restitution;
-      b.duration[wall][l] = times.duration;
-      b.deepest[wall][l] = times.deepest;
+  void draw_noise(int l) {
+    Lane& lane = inside_[l]->lane;
+    lane.next_step();
+    for (int d = 0; d < disturbances; ++d) {
+      const std::uint64_t bits = lane.noise(static_cast<std::uint64_t>(d));
+      block_->noise[0][d * W + l] = static_cast<std::uint32_t>(bits);
+      block_->noise[1][d * W + l] = static_cast<std::uint32_t>(bits >> 32);
     }
   }
 
-  std::unique_ptr<InLanes<W>> block_;
+  using Steps = Columns<W, HasUnequalMasses>;
+  using ByJumps = Jumps<W, HasUnequalMasses>;
+  static void take_own(LaneState& s, const Steps& b, int l) {
+    for (int k = 0; k < b.N; ++k) s.closed[k] = b.closed[k][l] != 0;
+  }
+  static void take_own(LaneState& s, const ByJumps& b, int l) {
+    for (int k = 0; k < b.N; ++k) s.depth[k] = b.depth[k][l];
+    s.wall_opens = b.wall_opens[l];
+  }
+  static void put_own(const Lane& lane, const LaneState& s, Steps& b, int l) {
+    b.closed_bits[l] = 0;
+    for (int k = 0; k < b.N; ++k) {
+      const bool closed = s.closed[k] != 0;
+      b.spring[k][l] = k == 0 ? lane.law().wall_spring : lane.law().spring;
+      b.dashpot[k][l] = lane.isolated().contact(k).dashpot;
+      b.acting_spring[k][l] = closed ? b.spring[k][l] : 0.0;
+      b.acting_dashpot[k][l] = closed ? b.dashpot[k][l] : 0.0;
+      for (int place = l; place < disturbances * W; place += W) {
+        b.disturbed_spring[k][place] = static_cast<float>(b.acting_spring[k][l]);
+        b.disturbed_dashpot[k][place] = static_cast<float>(b.acting_dashpot[k][l]);
+      }
+      b.closed[k][l] = closed ? -1 : 0;
+      b.closed_bits[l] |= std::uint64_t(closed) << k;
+      b.a[0][k][l] = closed ? std::max(s.x[k], 0.0) : std::min(s.x[k], 0.0);
+    }
+  }
+  static void put_own(const Lane& lane, const LaneState& s, ByJumps& b, int l) {
+    for (int k = 0; k < b.N; ++k) b.depth[k][l] = s.depth[k];
+    b.wall_opens[l] = s.wall_opens;
+    for (int k = 0; k < (HasUnequalMasses ? b.N : b.kinds); ++k) {
+      const IsolatedContact& contact = lane.isolated().contact(k);
+      b.restitution[k][l] = contact.restitution;
+      for (int d = 0; d < disturbances; ++d)
+        b.restitution_error[k][d * W + l] = static_cast<float>(lane.sign(d, k) * contact.restitution);
+      b.duration[k][l] = contact.duration;
+      b.deepest[k][l] = contact.deepest;
+      b.share_below[k][l] = contact.share_below;
+      b.share_above[k][l] = contact.share_above;
+    }
+  }
+
+  std::unique_ptr<Block> block_;
   std::array<std::unique_ptr<Traveller>, W> inside_;
   std::vector<std::unique_ptr<Traveller>> waiting_;
   int occupied_ = 0;

@@ -3,6 +3,7 @@
 
 namespace sigmasweep::side_by_side {
 
-void advance(Columns<1>& columns) { advance_columns<1>(columns); }
+void advance(Columns<1, false>& columns) { advance_columns<1>(columns); }
+void advance(Columns<1, true>& columns) { advance_columns<1>(columns); }
 
 }  // namespace sigmasweep::side_by_side

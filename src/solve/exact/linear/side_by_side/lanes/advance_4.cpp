@@ -3,6 +3,7 @@
 
 namespace sigmasweep::side_by_side {
 
-void advance(Columns<4>& columns) { advance_columns<4>(columns); }
+void advance(Columns<4, false>& columns) { advance_columns<4>(columns); }
+void advance(Columns<4, true>& columns) { advance_columns<4>(columns); }
 
 }  // namespace sigmasweep::side_by_side

@@ -3,6 +3,7 @@
 
 namespace sigmasweep::side_by_side {
 
-void advance(Columns<8>& columns) { advance_columns<8>(columns); }
+void advance(Columns<8, false>& columns) { advance_columns<8>(columns); }
+void advance(Columns<8, true>& columns) { advance_columns<8>(columns); }
 
 }  // namespace sigmasweep::side_by_side

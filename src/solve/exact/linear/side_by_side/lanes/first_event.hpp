@@ -28,15 +28,16 @@ SIGMASWEEP_LANEWISE void to_bernstein(Pack<W> (&b)[screen + 1]) {
     for (int p = screen; p >= level; --p) b[p] = b[p] + b[p - 1];
 }
 
-/// limit^p/C(screen, p), and limit^(screen+1).
+/// What takes derivative p to b[p] on [0, limit], and derivative p + 1 to that of x/t; limit^(screen+1).
 template <int W>
 struct Scales {
-  Pack<W> of[screen + 1], beyond;
+  Pack<W> of[screen + 1], of_next[screen + 1], beyond;
   SIGMASWEEP_LANEWISE explicit Scales(Pack<W> limit) {
     Pack<W> power(1.0);
 #pragma GCC unroll 9
     for (int p = 0; p <= screen; ++p) {
-      of[p] = power * Pack<W>(1.0 / binomials.of[p]);
+      of[p] = power * Pack<W>(one_over.of_factorial[p] / binomials.of[p]);
+      of_next[p] = power * Pack<W>(one_over.of_factorial[p + 1] / binomials.of[p]);
       power = power * limit;
     }
     beyond = power;
@@ -48,14 +49,15 @@ template <int W>
 struct Bounds {
   Pack<W> b[screen + 1], lowest, highest;
 
-  SIGMASWEEP_LANEWISE Bounds(const Columns<W>& c, int k, const Scales<W>& scales) {
-    const Pack<W> start = Pack<W>::load(c.a[k]);
+  template <class Columns>
+  SIGMASWEEP_LANEWISE Bounds(const Columns& c, int k, const Scales<W>& scales) {
+    const Pack<W> start = Pack<W>::load(c.a[0][k]);
     const Mask<W> at_zero = start == Pack<W>(0.0);
     Pack<W> term = start;
 #pragma GCC unroll 9
     for (int p = 0; p <= screen; ++p) {
-      const Pack<W> next = Pack<W>::load(c.a[(p + 1) * c.N + k]);
-      b[p] = select(at_zero, next, term) * scales.of[p];
+      const Pack<W> next = Pack<W>::load(c.a[p + 1][k]);
+      b[p] = select(at_zero, next * scales.of_next[p], term * scales.of[p]);
       term = next;
     }
     to_bernstein<W>(b);
@@ -94,8 +96,9 @@ SIGMASWEEP_LANEWISE Pack<W> first_fall(const Bounds<W>& bounds, Mask<W> open, Pa
 }
 
 /// Rules contact k out where it cannot change its state on [0, limit].
-template <int W>
-SIGMASWEEP_LANEWISE Mask<W> rule_out(Columns<W>& c, int k, Mask<W> suspects, const Scales<W>& scales, Pack<W> limit) {
+template <int W, bool HasUnequalMasses>
+SIGMASWEEP_LANEWISE Mask<W> rule_out(Columns<W, HasUnequalMasses>& c, int k, Mask<W> suspects, const Scales<W>& scales,
+                                     Pack<W> limit) {
   using P = Pack<W>;
   const Mask<W> open = ~Mask<W>::load(c.closed[k]);
   const Bounds<W> bounds(c, k, scales);
@@ -106,33 +109,34 @@ SIGMASWEEP_LANEWISE Mask<W> rule_out(Columns<W>& c, int k, Mask<W> suspects, con
 }
 
 /// Sum of the terms of contact k that the screen leaves out.
-template <int W>
-SIGMASWEEP_LANEWISE Pack<W> left_out(const Columns<W>& c, int k) {
+template <int W, bool HasUnequalMasses>
+SIGMASWEEP_LANEWISE Pack<W> left_out(const Columns<W, HasUnequalMasses>& c, int k) {
   using P = Pack<W>;
-  P even(0.0), odd(0.0);
+  const auto term = [&](int p) SIGMASWEEP_INLINE_LAMBDA { return magnitude(P::load(c.a[p][k])); };
+  const auto weight = [](int p) SIGMASWEEP_INLINE_LAMBDA { return P(one_over.of_factorial[p]); };
+  P even = term(order) * weight(order), odd(0.0);
 #pragma GCC unroll 8
   for (int p = screen + 2; p < order; p += 2) {
-    even = even + magnitude(P::load(c.a[p * c.N + k]));
-    odd = odd + magnitude(P::load(c.a[(p + 1) * c.N + k]));
+    even = fma(term(p), weight(p), even);
+    odd = fma(term(p + 1), weight(p + 1), odd);
   }
-  const Mask<W> at_zero = P::load(c.a[k]) == P(0.0);
-  return ((even + odd) + magnitude(P::load(c.a[order * c.N + k]))) +
-         where(~at_zero, magnitude(P::load(c.a[(screen + 1) * c.N + k])));
+  const Mask<W> at_zero = P::load(c.a[0][k]) == P(0.0);
+  return fma(where(~at_zero, term(screen + 1)), weight(screen + 1), even + odd);
 }
 
 /// Contact k stays open, flying uniformly: neither it nor a contact beside it is closed.
-template <int W>
-SIGMASWEEP_LANEWISE Mask<W> flies_on(const Columns<W>& c, int k) {
+template <int W, bool HasUnequalMasses>
+SIGMASWEEP_LANEWISE Mask<W> flies_on(const Columns<W, HasUnequalMasses>& c, int k) {
   using P = Pack<W>;
   Mask<W> closed = Mask<W>::load(c.closed[k]);
   if (k > 0) closed = closed | Mask<W>::load(c.closed[k - 1]);
   if (k + 1 < c.N) closed = closed | Mask<W>::load(c.closed[k + 1]);
-  return ~closed & (P::load(c.x[k]) + P::load(c.u[k]) < P(0.0));
+  return ~closed & (P::load(c.a[0][k]) + P::load(c.a[1][k]) < P(0.0));
 }
 
 /// Rules contact k out where it cannot change its state within the step; bounds its overlap.
-template <int W>
-SIGMASWEEP_LANEWISE Mask<W> examine(Columns<W>& c, int k, const Scales<W>& scales, Mask<W> active) {
+template <int W, bool HasUnequalMasses>
+SIGMASWEEP_LANEWISE Mask<W> examine(Columns<W, HasUnequalMasses>& c, int k, const Scales<W>& scales, Mask<W> active) {
   using P = Pack<W>;
   const Mask<W> open = ~Mask<W>::load(c.closed[k]);
   const P rest = left_out<W>(c, k);
@@ -147,8 +151,8 @@ SIGMASWEEP_LANEWISE Mask<W> examine(Columns<W>& c, int k, const Scales<W>& scale
 }
 
 /// The root of the candidates near `t` by Newton's method, each lane until it has converged; -1 where it has not.
-template <int W>
-SIGMASWEEP_LANEWISE Pack<W> root_near(const Columns<W>& c, Pack<W> t, Mask<W> wanted) {
+template <int W, bool HasUnequalMasses>
+SIGMASWEEP_LANEWISE Pack<W> root_near(const Columns<W, HasUnequalMasses>& c, Pack<W> t, Mask<W> wanted) {
   using P = Pack<W>;
   Mask<W> done = ~wanted, converged = Mask<W>::none();
   for (int iteration = 0; iteration < 12 && any(~done); ++iteration) {
@@ -175,8 +179,8 @@ SIGMASWEEP_LANEWISE Pack<W> root_near(const Columns<W>& c, Pack<W> t, Mask<W> wa
 
 /// Whether t > 0 is the candidate's first root on [0, limit], or, if it is beyond, there is none: with g(s) = (t - s)
 /// q(s) it is enough that q > 0 on [0, min(t, limit)].
-template <int W>
-SIGMASWEEP_LANEWISE Mask<W> is_first(const Columns<W>& c, Pack<W> t, Pack<W> limit) {
+template <int W, bool HasUnequalMasses>
+SIGMASWEEP_LANEWISE Mask<W> is_first(const Columns<W, HasUnequalMasses>& c, Pack<W> t, Pack<W> limit) {
   using P = Pack<W>;
   const P end = least(t, limit);
   P q[order];  // of the series that Horner's rule leaves
@@ -185,10 +189,12 @@ SIGMASWEEP_LANEWISE Mask<W> is_first(const Columns<W>& c, Pack<W> t, Pack<W> lim
     q[p] = P(0.0) - r;
     r = fma(r, t, P::load(c.candidate[p]));
   }
-  const Scales<W> scales(end);
-  P b[screen + 1], rest(0.0), power = scales.beyond;
+  P b[screen + 1], rest(0.0), power(1.0);
 #pragma GCC unroll 9
-  for (int p = 0; p <= screen; ++p) b[p] = q[p] * scales.of[p];
+  for (int p = 0; p <= screen; ++p) {
+    b[p] = q[p] * (power * P(1.0 / binomials.of[p]));
+    power = power * end;
+  }
   for (int p = screen + 1; p < order; ++p) {
     rest = fma(magnitude(q[p]), power, rest);
     power = power * end;
@@ -215,21 +221,22 @@ SIGMASWEEP_LANEWISE Mask<W> any_of(const Suspects<W>& suspects) {
 }
 
 /// The distance of contact k from its event becomes the candidate of some lanes.
-template <int W>
-SIGMASWEEP_LANEWISE void take_candidate(Columns<W>& c, int k, Mask<W> lanes) {
+template <int W, bool HasUnequalMasses>
+SIGMASWEEP_LANEWISE void take_candidate(Columns<W, HasUnequalMasses>& c, int k, Mask<W> lanes) {
   using P = Pack<W>;
-  const Mask<W> at_zero = P::load(c.a[k]) == P(0.0), open = ~Mask<W>::load(c.closed[k]);
-  P term = P::load(c.a[k]);
+  const Mask<W> at_zero = P::load(c.a[0][k]) == P(0.0), open = ~Mask<W>::load(c.closed[k]);
+  P term = P::load(c.a[0][k]);
   for (int p = 0; p <= order; ++p) {
-    const P next = p < order ? P::load(c.a[(p + 1) * c.N + k]) : P(0.0);
+    const P next = p < order ? P::load(c.a[p + 1][k]) * P(one_over.of_factorial[p + 1]) : P(0.0);
     select(lanes, negated_where(open, select(at_zero, next, term)), P::load(c.candidate[p])).store(c.candidate[p]);
     term = next;
   }
 }
 
 /// In each lane the suspect that seems to be first becomes the candidate and is no suspect any more.
-template <int W>
-SIGMASWEEP_LANEWISE void take_candidates(Columns<W>& c, Suspects<W>& suspects, Pack<W>& contact, Pack<W>& estimate) {
+template <int W, bool HasUnequalMasses>
+SIGMASWEEP_LANEWISE void take_candidates(Columns<W, HasUnequalMasses>& c, Suspects<W>& suspects, Pack<W>& contact,
+                                         Pack<W>& estimate) {
   using P = Pack<W>;
   contact = P(0.0);
   estimate = P(9.0);
@@ -248,9 +255,25 @@ SIGMASWEEP_LANEWISE void take_candidates(Columns<W>& c, Suspects<W>& suspects, P
   }
 }
 
+/// Length and event of some lanes by isolating the roots of their suspects.
+template <int W, bool HasUnequalMasses>
+[[gnu::noinline]] void decide_alone(Columns<W, HasUnequalMasses>& c, unsigned lanes) {
+  for (int r = 0, k = 0; r <= c.run_count; ++r) {
+    const int first = r < c.run_count ? c.runs[r].first : c.N;
+    for (; k < first; ++k) Mask<W>::none().store(c.suspect[k]);
+    if (r < c.run_count) k = c.runs[r].last + 1;
+  }
+  for (int l = 0; l < W; ++l)
+    if (lanes >> l & 1) {
+      const FirstEvent first = first_event_of_lane(&c.a[0][0][l], &c.closed[0][l], &c.suspect[0][l], W, c.N);
+      c.length[l] = first.when;
+      c.event[l] = first.contact;
+    }
+}
+
 /// Sets length and event of the lanes of `active`.
-template <int W>
-SIGMASWEEP_LANEWISE void find_first_event(Columns<W>& c, Mask<W> active) {
+template <int W, bool HasUnequalMasses>
+SIGMASWEEP_LANEWISE void find_first_event(Columns<W, HasUnequalMasses>& c, Mask<W> active) {
   using P = Pack<W>;
   Suspects<W> suspects;
   {
@@ -290,14 +313,7 @@ SIGMASWEEP_LANEWISE void find_first_event(Columns<W>& c, Mask<W> active) {
   double events[W];
   event.store(events);
   for (int l = 0; l < W; ++l) c.event[l] = int(events[l]);
-  if (!any(uncertain)) return;
-  const unsigned lanes = lanes_of(uncertain);
-  for (int l = 0; l < W; ++l)
-    if (lanes >> l & 1) {
-      const FirstEvent first = first_event_of_lane(&c.a[0][l], &c.closed[0][l], &c.suspect[0][l], W, c.N);
-      c.length[l] = first.when;
-      c.event[l] = first.contact;
-    }
+  if (any(uncertain)) decide_alone<W>(c, lanes_of(uncertain));
 }
 
 }  // namespace sigmasweep::side_by_side

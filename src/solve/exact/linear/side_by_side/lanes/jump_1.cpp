@@ -3,6 +3,7 @@
 
 namespace sigmasweep::side_by_side {
 
-void jump(Jumps<1>& columns) { jump_columns<1>(columns); }
+void jump(Jumps<1, false>& columns) { jump_columns<1>(columns); }
+void jump(Jumps<1, true>& columns) { jump_columns<1>(columns); }
 
 }  // namespace sigmasweep::side_by_side

@@ -3,6 +3,7 @@
 
 namespace sigmasweep::side_by_side {
 
-void jump(Jumps<4>& columns) { jump_columns<4>(columns); }
+void jump(Jumps<4, false>& columns) { jump_columns<4>(columns); }
+void jump(Jumps<4, true>& columns) { jump_columns<4>(columns); }
 
 }  // namespace sigmasweep::side_by_side

@@ -3,6 +3,7 @@
 
 namespace sigmasweep::side_by_side {
 
-void jump(Jumps<8>& columns) { jump_columns<8>(columns); }
+void jump(Jumps<8, false>& columns) { jump_columns<8>(columns); }
+void jump(Jumps<8, true>& columns) { jump_columns<8>(columns); }
 
 }  // namespace sigmasweep::side_by_side

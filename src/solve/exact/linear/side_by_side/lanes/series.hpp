@@ -5,66 +5,75 @@
 
 namespace sigmasweep::side_by_side {
 
-/// 1/n, as constants.
+/// 1/n and 1/n!, as constants.
 struct Reciprocals {
-  double of[order + 3]{};
+  double of[order + 2]{}, of_factorial[order + 2]{};
   constexpr Reciprocals() {
-    for (int n = 1; n < order + 3; ++n) of[n] = 1.0 / n;
+    double factorial = 1.0;
+    for (int n = 0; n < order + 2; ++n) {
+      factorial *= n > 0 ? n : 1;
+      of[n] = n > 0 ? 1.0 / n : 0.0;
+      of_factorial[n] = 1.0 / factorial;
+    }
   }
 };
 inline constexpr Reciprocals one_over;
 
-/// The Taylor series of all contacts about the step's start, in t/h. With F_k = K x_k + C x_k' where contact k is
-/// closed and 0 where it is open, and bead mass 1,
-///     x_k'' = F_(k-1) - w F_k + F_(k+1),   w = 2, of the wall's contact 1,
-/// so that the terms p and p + 1 give term p + 2:
-///     a_(p+2) = F_(k-1) - w F_k + F_(k+1),   F = K h^2/((p+1)(p+2)) a_p + C h/(p+2) a_(p+1).
+/// The derivatives of the overlaps by t/h at the step's start. With F_k = K h^2 x_k + C h x_k' where contact k is
+/// closed and 0 where it is open, and with bead k-1 below contact k and bead k above it,
+///     x_k'' = (F_(k-1) - F_k)/m_(k-1) + (F_(k+1) - F_k)/m_k,   of the wall's contact (F_1 - F_0)/m_0,
+/// and as these are constant coefficients, the same holds for the derivatives p, p + 1 and p + 2.
 /// Of the contacts first..last, beside which all contacts are open.
-template <int W, int Order>
-SIGMASWEEP_LANEWISE void expand(const Columns<W>& c, double (*a)[W], int first, int last) {
-  using P = Pack<W>;
-  const int N = c.N;
-  const P spring = P::load(c.spring), dashpot = P::load(c.dashpot);
-  const P wall_spring = P::load(c.wall_spring), wall_dashpot = P::load(c.wall_dashpot);
+/// `accelerated` divides a force by the mass of bead k.
+template <int Order, class P, class Rows, class Coefficients, class Accelerated>
+SIGMASWEEP_LANEWISE void expand(Rows& a, const Coefficients& spring, const Coefficients& dashpot,
+                                const Accelerated& accelerated, int first, int last) {
   for (int p = 0; p + 2 <= Order; ++p) {
-    const P of_spring(one_over.of[p + 1] * one_over.of[p + 2]), of_dashpot(one_over.of[p + 2]);
-    const P K = spring * of_spring, C = dashpot * of_dashpot;
-    const double(*const now)[W] = a + p * N, (*const next)[W] = a + (p + 1) * N;
-    double(*const result)[W] = a + (p + 2) * N;
-    const auto force = [&](int k, P stiffness, P damping) SIGMASWEEP_INLINE_LAMBDA {
-      return where(Mask<W>::load(c.closed[k]), fma(stiffness, P::load(now[k]), damping * P::load(next[k])));
+    const auto force = [&](int k) SIGMASWEEP_INLINE_LAMBDA {
+      return fma(P::load(spring[k]), P::load(a[p][k]), P::load(dashpot[k]) * P::load(a[p + 1][k]));
     };
-    P below(0.0), here, own;
-    if (first == 0) {
-      here = own = force(0, wall_spring * of_spring, wall_dashpot * of_dashpot);
-    } else {
-      here = force(first, K, C);
-      own = here + here;
-    }
+    P here = force(first), below = first == 0 ? P(0) : accelerated(first - 1, here);
     for (int k = first; k <= last; ++k) {
-      const P above = k < last ? force(k + 1, K, C) : P(0.0);
-      ((below + above) - own).store(result[k]);
-      below = here;
+      const P above = k < last ? force(k + 1) : P(0);
+      const P acceleration = accelerated(k, above - here);  // of bead k
+      (acceleration - below).store(a[p + 2][k]);
+      below = acceleration;
       here = above;
-      own = above + above;
     }
   }
 }
 
-/// Value and slope of the series of contact k at s.
-template <int W>
+/// Taylor's formula at s = t/h: x + s/1 (x' + s/2 (x'' + s/3 (...
+template <class P>
 struct Jet {
-  Pack<W> x, slope;
+  P x, slope;
 };
-template <int W, int Order>
-SIGMASWEEP_LANEWISE Jet<W> jet(const double (*a)[W], int N, int k, Pack<W> s) {
-  using P = Pack<W>;
-  P value = P::load(a[Order * N + k]), slope(0.0);
-  for (int p = Order - 1; p >= 0; --p) {
-    slope = fma(slope, s, value);
-    value = fma(value, s, P::load(a[p * N + k]));
+template <int Order, class P>
+struct Taylor {
+  P over[Order + 1];  ///< s/p
+
+  SIGMASWEEP_LANEWISE explicit Taylor(P s) {
+#pragma GCC unroll 24
+    for (int p = 1; p <= Order; ++p) over[p] = s * P(static_cast<typename P::Scalar>(one_over.of[p]));
   }
-  return {value, slope};
-}
+  /// Of the contact k with derivatives a[p][k].
+  template <class Rows>
+  SIGMASWEEP_LANEWISE Jet<P> jet(const Rows& a, int k) const {
+    P term = P::load(a[Order][k]), value = term, slope(0);
+#pragma GCC unroll 24
+    for (int p = Order; p > 0; --p) {
+      slope = fma(slope, over[p], term);
+      term = P::load(a[p - 1][k]);
+      value = fma(value, over[p], term);
+    }
+    return {value, slope};
+  }
+  template <class Rows>
+  SIGMASWEEP_LANEWISE P curvature(const Rows& a, int k) const {
+    P value = P::load(a[Order][k]);
+    for (int p = Order - 2; p > 0; --p) value = fma(value, over[p], P::load(a[p + 1][k]));
+    return value;
+  }
+};
 
 }  // namespace sigmasweep::side_by_side

@@ -7,8 +7,8 @@ struct FirstEvent {
   int contact;  ///< -1: none
 };
 
-/// The first event of one lane, by isolating the roots of each suspect contact. Term p of contact k is
-/// a[(p N + k) stride]; flags are those of contact k at k stride.
+/// The first event of one lane, by isolating the roots of each suspect contact. Derivative p of contact k is
+/// a[(p most_beads + k) stride]; flags are those of contact k at k stride.
 FirstEvent first_event_of_lane(const double* a, const long long* closed, const long long* suspect, int stride, int N);
 
 }  // namespace sigmasweep::side_by_side
