@@ -10,6 +10,7 @@
 #include "base/atomic_file.hpp"
 #include "base/output/place.hpp"
 #include "cli/command.hpp"
+#include "cli/films/export.hpp"
 #include "cli/read_sweep.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "store/rows/formats.hpp"
@@ -21,6 +22,7 @@ namespace {
 struct ExportOptions {
   std::string table, output;
   std::string format;  ///< a name of row_formats(); empty: from the ending of `output`
+  std::string films;   ///< a name of film_formats(); empty: rows
   bool timings = false;
 };
 
@@ -47,7 +49,15 @@ void write_to(const File& open, const std::string& path, RowWriter& writer, cons
   if (std::fclose(file) != 0 || !written) throw IoError(fmt::format("cannot write {}", path));
 }
 
+int export_motion(const ExportOptions& options) {
+  if (options.output.empty() || options.output == "-") throw UsageError("--films needs a directory: -o DIR");
+  if (options.timings || !options.format.empty()) throw UsageError("--films: --format and --timings are for rows");
+  export_films(read_sweep(options.table), options.table, film_format(options.films).value(), options.output);
+  return 0;
+}
+
 int export_table(const ExportOptions& options) {
+  if (!options.films.empty()) return export_motion(options);
   require_other_file(options.output, std::array{options.table, beside(options.table, ".journal")});
   const StoredSweep stored = read_sweep(options.table);
   std::vector<Field> columns = stored.table.columns;
@@ -75,6 +85,11 @@ void declare(OptionSet& set, ExportOptions& options) {
   set.add({"--format", fmt::format("Format of the rows; default: from the file's ending, else {}", formats.front()),
            names, formats},
           options.format);
+  std::vector<std::string> films;
+  for (const FilmFormat& format : film_formats()) films.emplace_back(format.name);
+  set.add({"--films", "Write the trajectories instead, for viewers, into a directory -o",
+           fmt::format("{}", fmt::join(films, "|")), films},
+          options.films);
   set.add_flag("--timings", "Add the columns run time, predicted time, rank and attempt", options.timings);
 }
 
@@ -83,7 +98,9 @@ void declare(OptionSet& set, ExportOptions& options) {
 Command export_command() {
   std::string footer;
   for (const RowFormat& format : row_formats()) footer += fmt::format("\n{:<6} {}", format.name, format.meaning);
-  return make_command("export", "Write a table as text", footer, declare, export_table);
+  footer += "\n\nFormats of films:";
+  for (const FilmFormat& format : film_formats()) footer += fmt::format("\n{:<6} {}", format.name, format.meaning);
+  return make_command("export", "Write a table, or its trajectories, as text", footer, declare, export_table);
 }
 
 }  // namespace sigmasweep

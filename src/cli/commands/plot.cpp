@@ -5,7 +5,7 @@
 
 #include "base/output/place.hpp"
 #include "cli/command.hpp"
-#include "cli/plot_films.hpp"
+#include "cli/films/plot.hpp"
 #include "cli/read_sweep.hpp"
 #include "engine/run_options.hpp"
 #include "plot/named.hpp"

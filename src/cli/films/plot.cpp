@@ -1,53 +1,29 @@
-#include "cli/plot_films.hpp"
+#include "cli/films/plot.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <iterator>
-#include <limits>
 #include <vector>
 
-#include "engine/trajectories/trajectory_files.hpp"
+#include "cli/films/read.hpp"
 #include "plot/films/lattice.hpp"
 #include "plot/films/plot_velocity_field.hpp"
 #include "plot/films/trajectories.hpp"
 #include "plot/row_choice.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/trajectory/trajectory.hpp"
-#include "store/h5md.hpp"
 
 namespace sigmasweep {
-namespace {
-
-Trajectory read(const std::string& path, const Row& row, std::size_t samples) {
-  Trajectory trajectory;
-  try {
-    trajectory = read_h5md(path);
-  } catch (const InputNotFound& error) {
-    throw InputNotFound(fmt::format("{}: 'sigmasweep run' with the same spec and table writes it", error.what()));
-  }
-  if (!is_h5md_of(path, row.parameters, samples, std::numeric_limits<double>::quiet_NaN()))
-    throw IoError(fmt::format("{} is not the trajectory of row {} of this table", path, row.index));
-  return trajectory;
-}
-
-}  // namespace
 
 void plot_films(const StoredSweep& stored, const PlotSpec& spec, const std::string& table, const std::string& file) {
   const Sweep& sweep = stored.sweep.value();
   RowChoice chosen(spec.where);
   std::vector<Row> rows;
-  for (const std::uint64_t k : sweep.trajectory()->rows) {
-    const auto found = std::ranges::lower_bound(stored.table.rows, k, {}, &Row::index);
-    if (found == stored.table.rows.end() || found->index != k) continue;  // of another slice, or not there yet
-    const Row& row = *found;
-    if (std::isfinite(show_time(row.parameters, row.result)) && chosen(row)) rows.push_back(row);
-  }
+  std::ranges::copy_if(filmed_rows(stored), std::back_inserter(rows), std::ref(chosen));
   if (spec.mean_over.empty()) require_room_for(rows.size());
   std::vector<Panel> panels;
-  for (const Row& row : rows)
-    panels.push_back({row, read(trajectory_file(table, row.index), row, sweep.trajectory()->samples)});
+  for (const Row& row : rows) panels.push_back({row, read_film(stored, table, row)});
   const std::string title = spec.title.empty() ? sweep.title() : spec.title;
   const auto planes = std::ranges::count_if(panels, &Trajectory::is_plane, &Panel::trajectory);
   if (planes == std::ssize(panels) && spec.by_phase)
