@@ -1,5 +1,7 @@
 #include "solve/cost_model.hpp"
 
+#include <algorithm>
+
 namespace sigmasweep::cost {
 namespace {
 
@@ -22,10 +24,12 @@ double of_collision(const Parameters& p, const EventCosts& costs) {
   return tuple + harder * event_time(static_cast<double>(p.N), bounded_sigma(p), costs);
 }
 
-double of_periods(const Parameters& p, double contact) {
+double contacts_on_plate(const Parameters& p) {
   const double N = static_cast<double>(p.N);
-  return tuple + contact * static_cast<double>(p.periods) * N * N;
+  return 1.6 * static_cast<double>(p.periods) * N * N / std::max(1.0, p.alpha);
 }
+
+double of_periods(const Parameters& p, double contact) { return tuple + contact * contacts_on_plate(p); }
 
 double of_lattice_events(const Parameters& p) {
   constexpr double bead_row = 80e-6;  // s; each bead and row, as contacts are so long or so many; in two runs

@@ -28,8 +28,11 @@ struct EventCosts {
 /// Time for the collision of a column, s.
 double of_collision(const Parameters& p, const EventCosts& costs);
 
-/// Time for a vibrated column, s. Contacts a period go about with N^2, from a third (loose) to twice that (clustered);
-/// each of these costs `contact`.
+/// Number of contacts of a vibrated column. It goes with N^2, and the stronger the agitation, the longer beads fly from
+/// contact to contact.
+double contacts_on_plate(const Parameters& p);
+
+/// Time for a vibrated column, s, each of whose contacts costs `contact`.
 double of_periods(const Parameters& p, double contact);
 
 /// Time for the collision of a lattice from event to event, without `tuple`, s. Beads in contact are moved by steps, in

@@ -84,11 +84,11 @@ class WrongCommands(Files):
         self.assertEqual([p.name for p in self.path.iterdir()], ["spec.toml"])
         self.check(73, ["missing/t.h5"], "run", self.write(SPEC), "-o", self.path / "missing" / "t.h5")
 
-    def test_a_sweep_too_large_for_memory(self):
-        count = 1 << 26
-        axes = f"{{ from = 0.1, to = 10, count = {count} }}\ns0 = 1e-6\nd = {{ from = 1e-3, to = 2e-3, count = 8192 }}"
-        spec = SPEC.replace("v0 = 1.0\n", "").replace("sigma = [0.1, 1, 10]", "v0 = " + axes)
-        self.check(65, ["rows take", "split"], "run", self.write(spec), "-o", self.path / "t.h5")
+    def test_a_sweep_too_large_for_memory_or_for_a_run(self):
+        for count, words in ((30, "2013265920 rows take"), (32, "2147483648 rows are more than one run may have")):
+            axes = f"{{ from = 0.1, to = 10, count = {1 << 25} }}\ns0 = 1e-6\nd = {{ from = 1e-3, to = 2e-3, count = {count} }}"
+            spec = SPEC.replace("v0 = 1.0\n", "").replace("sigma = [0.1, 1, 10]", "v0 = " + axes)
+            self.check(65, [words, "split"], "run", self.write(spec), "-o", self.path / "t.h5")
         self.assertEqual([f.name for f in self.path.iterdir() if f.name.endswith(".journal")], [])
 
 
@@ -188,12 +188,12 @@ class Answers(Files):
         self.assertEqual([p.name for p in self.path.iterdir()], ["spec.toml"])
 
     def test_plan_says_what_run_refuses(self):
-        """The rows of a table have to be in memory."""
+        """Not all rows of a large sweep fit in one run."""
         values = "{ from = 0.1, to = 0.9, count = 1000000 }"
         spec = self.write(f"[sweep]\nmethod = 'ed'\nN = 2\nv0 = 1.0\ntc = 1e-5\nsigma = {values}\nepsilon = {values}\n")
         planned, ran = sigmasweep("plan", spec, "--json"), sigmasweep("run", spec, cwd=self.path)
         refusal = json.loads(planned.stdout)["refused"]
-        self.assertIn("1000000000000 rows take", refusal)
+        self.assertIn("1000000000000 rows are more than", refusal)
         self.assertIn(refusal, planned.stderr)
         self.assertEqual(ran.returncode, 65, ran)
         self.assertIn(refusal, ran.stderr)

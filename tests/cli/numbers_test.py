@@ -62,7 +62,8 @@ class Numbers(unittest.TestCase):
 
     def test_forms_of_times_and_slices(self):
         spec = self.spec(COLUMN + "s0 = 0\n")
-        for options, words in ((("--max-time", "24h"), "24:00:00"), (("--slice", "3/3"), "0/3, 1/3 and 2/3")):
+        for options, words in ((("--max-time", "24h"), "24:00:00"), (("--slice", "3/3"), "0/3, 1/3 and 2/3"),
+                               (("--slice", "0/1000001"), "N up to 1000000")):
             ended = sigmasweep("run", spec, *options)
             self.assertEqual(ended.returncode, 64)
             self.assertIn(words, ended.stderr)

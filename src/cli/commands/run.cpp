@@ -20,15 +20,16 @@ std::string time_complaint(const std::string& typed) {
   return fmt::format("'{}' is not a time: give {}, such as 24:00:00 for 24 hours", typed, time_help);
 }
 
+constexpr std::uint64_t most_slices = 1'000'000;
+
 /// Reads "3/8"; nothing for text of another form.
 std::optional<Slice> parse_slice(const std::string& typed) {
-  constexpr std::uint64_t max_count = 1'000'000;
   Slice slice;
   const char *begin = typed.data(), *end = begin + typed.size();
   const auto [slash, bad_index] = std::from_chars(begin, end, slice.index);
   if (bad_index != std::errc() || slash == end || *slash != '/') return std::nullopt;
   const auto [rest, bad_count] = std::from_chars(slash + 1, end, slice.count);
-  if (bad_count != std::errc() || rest != end || slice.index >= slice.count || slice.count > max_count)
+  if (bad_count != std::errc() || rest != end || slice.index >= slice.count || slice.count > most_slices)
     return std::nullopt;
   return slice;
 }
@@ -36,9 +37,10 @@ std::optional<Slice> parse_slice(const std::string& typed) {
 std::string slice_complaint(const std::string& typed) {
   if (parse_slice(typed)) return {};
   return fmt::format(
-      "'{}' is not a slice: give I/N with I from 0 to N - 1, the three slices of a sweep are 0/3, 1/3 and "
+      "'{}' is not a slice: give I/N with N up to {} and I from 0 to N - 1, the three slices of a sweep are 0/3, 1/3 "
+      "and "
       "2/3",
-      typed);
+      typed, most_slices);
 }
 
 void declare(OptionSet& set, RunOptions& options) {

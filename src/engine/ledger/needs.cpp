@@ -32,8 +32,11 @@ SweepNeeds needs_of(const Sweep& sweep, std::uint64_t rows, int ranks) {
 }
 
 std::string why_too_many(const Sweep& sweep, std::uint64_t rows) {
+  constexpr std::uint64_t most_rows = std::numeric_limits<std::int32_t>::max();  // MPI-3 counts by int
+  if (rows > most_rows)
+    return fmt::format("{} rows are more than one run may have, {}: split the sweep, by --slice say", rows, most_rows);
   const double needed = needs_of(sweep, rows, 1).manager_bytes, memory = usable_memory();
-  if (needed <= memory && rows <= std::uint64_t(std::numeric_limits<std::int32_t>::max())) return {};
+  if (needed <= memory) return {};
   return fmt::format(
       "{} rows take {:.3g} GB of memory on rank 0, which may use {:.3g}: split the sweep, by --slice say", rows,
       needed * 1e-9, memory * 1e-9);

@@ -21,7 +21,7 @@ constexpr cost::EventCosts event_costs{
 /// Of columns side by side.
 constexpr cost::EventCosts lane_costs{
     .dense_bead = 0.35e-6, .dense_pair = 45e-9, .contact = 30e-9, .shared_contact = 12e-9};
-constexpr double contact_on_plate = 12e-6;  // s
+constexpr double contact_on_plate = 9e-6;  // s
 
 }  // namespace
 

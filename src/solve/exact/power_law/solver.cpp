@@ -16,7 +16,7 @@ bool accepts(const Parameters& p) {
 
 constexpr cost::EventCosts event_costs{
     .dense_bead = 100e-6, .dense_pair = 8e-6, .contact = 70e-6, .shared_contact = 1e-6};
-constexpr double contact_on_plate = 120e-6;  // s
+constexpr double contact_on_plate = 550e-6;  // s
 
 }  // namespace
 
