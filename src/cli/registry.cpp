@@ -9,6 +9,7 @@
   X(stability) \
   X(plan) \
   X(one) \
+  X(advise) \
   X(plot) \
   X(status) \
   X(show) \
