@@ -19,9 +19,10 @@ class Samples;
 /// One collision of a column in reduced units (speed and tc are 1). `accuracy`: local error of a step, in units of the
 /// speed and of speed times tc. Real is double or long double. End::settled or separated with Status::ok;
 /// Status::event_limit, non_finite. Limits of its own: 100,000 + 20 N^2 contacts; 5e7 contacts propagated, summed over
-/// all trial steps.
+/// all trial steps. `restitution_off`: part by which restitutions of isolated contacts are made smaller, of a twin run.
 template <class Real>
-Outcome<Real> nonlinear_collision(const Column<Real>& column, double accuracy = 1e-12, const RunLimits& limits = {});
+Outcome<Real> nonlinear_collision(const Column<Real>& column, double accuracy = 1e-12, const RunLimits& limits = {},
+                                  double restitution_off = 0.0);
 
 /// The tuple's collision with an error bar: the difference between two runs, one with local errors ten times those of
 /// the other, and what is left to dissipate. Where that is above the tolerance finer pairs of runs follow, in long
