@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/quad.hpp"
+#include "numerics/double_double.hpp"
 
 namespace sigmasweep {
 
@@ -100,6 +101,7 @@ Real residual_dissipation(std::span<const Real> velocity, Real speed, std::span<
   template Real residual_dissipation(std::span<const Real> velocity, Real speed, std::span<const Real>);
 SIGMASWEEP_INSTANTIATE(double)
 SIGMASWEEP_INSTANTIATE(long double)
+SIGMASWEEP_INSTANTIATE(DoubleDouble)
 SIGMASWEEP_INSTANTIATE(Quad)
 #undef SIGMASWEEP_INSTANTIATE
 

@@ -5,10 +5,12 @@
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "assembly/energies.hpp"
 #include "base/quad.hpp"
+#include "numerics/double_double.hpp"
 #include "solve/exact/linear/column.hpp"
 #include "solve/exact/linear/error_bar.hpp"
 #include "solve/to_si.hpp"
@@ -46,13 +48,24 @@ namespace {
 using error_bar::safety;
 /// From this tolerance on short series are tried first: two thirds of the time, and bars of about 1e-5.
 constexpr double loose = 1e-4;
-/// Work (ExactColumn::work) up to which a wide type is tried: about a second in each.
-constexpr std::uint64_t long_double_limit = 1'000'000, quad_limit = 50'000;
+/// The work (ExactColumn::work) that a wide type does in about a second, up to which it is tried.
+template <class Wide>
+constexpr std::uint64_t work_limit = 1'000'000;
+template <>
+constexpr std::uint64_t work_limit<DoubleDouble> = 300'000;
+template <>
+constexpr std::uint64_t work_limit<Quad> = 50'000;
 
-/// What a run has to say on whether a wider type is worth a try, and to twins of the column.
+/// How many times finer than double's a type's roundings are.
+template <class Wide>
+double gain() {
+  return std::numeric_limits<double>::epsilon() / static_cast<double>(std::numeric_limits<Wide>::epsilon());
+}
+
+/// What a run in doubles has to say on whether a wider type is worth a try, and to twins of the column.
 struct Effort {
   std::uint64_t work = 0;
-  double disturbance = 0.0;  ///< of eps_eff, at the end
+  double bar_in_long_double = 0.0, bar_in_double_double = 0.0, bar_in_quad = 0.0;  ///< to be expected of them
   std::vector<double> velocity;
 };
 
@@ -63,7 +76,8 @@ SimulationResult computed_from(const Column<Real>& column, const Parameters& p, 
   using Exact = ExactColumn<Real, error_bar::draws, HasUnequalMasses, Order>;
   Exact exact(column, limits);
   const Outcome<Real> outcome = exact.run();
-  effort = {exact.work(), static_cast<double>(exact.disturbance()), {}};
+  const auto expected = [&](double gain) { return static_cast<double>(exact.error(safety / gain)); };
+  effort = {exact.work(), expected(gain<long double>()), expected(gain<DoubleDouble>()), expected(gain<Quad>()), {}};
   for (const Real& v : outcome.velocity) effort.velocity.push_back(static_cast<double>(v));
   SimulationResult c = to_si_result<Real>(outcome, p, column.mass);
   if (c.status != Status::ok) return c;
@@ -77,17 +91,41 @@ SimulationResult computed_from(const Column<Real>& column, const Parameters& p, 
   return c;
 }
 
-template <class Real, int Order = TaylorOrder<Real>::value>
-SimulationResult computed_in(const Parameters& p, const RunLimits& limits, Effort& effort) {
-  const Column<Real> column = reduced_column<Real>(p);
-  if (column.is_uniform()) return computed_from<Real, false, Order>(column, p, limits, effort);
-  return computed_from<Real, true, Order>(column, p, limits, effort);
+template <class To, class From>
+Column<To> converted(const Column<From>& c) {
+  const auto each = [](const std::vector<From>& numbers) {
+    std::vector<To> all;
+    for (const From& number : numbers) all.push_back(To(number));
+    return all;
+  };
+  return {.N = c.N,
+          .gap = To(c.gap),
+          .speed = To(c.speed),
+          .tc = To(c.tc),
+          .eps = To(c.eps),
+          .eps_wall = To(c.eps_wall),
+          .K = To(c.K),
+          .C = To(c.C),
+          .K_wall = To(c.K_wall),
+          .C_wall = To(c.C_wall),
+          .exponents = c.exponents,
+          .mass = each(c.mass),
+          .gaps = each(c.gaps)};
 }
 
-/// How many times finer than double's a type's roundings are.
-template <class Wide>
-double gain() {
-  return std::numeric_limits<double>::epsilon() / static_cast<double>(std::numeric_limits<Wide>::epsilon());
+template <class Real>
+Column<Real> column_of(const Parameters& p) {
+  if constexpr (std::is_same_v<Real, DoubleDouble>)
+    return converted<DoubleDouble>(reduced_column<Quad>(p));
+  else
+    return reduced_column<Real>(p);
+}
+
+template <class Real, int Order = TaylorOrder<Real>::value>
+SimulationResult computed_in(const Parameters& p, const RunLimits& limits, Effort& effort) {
+  const Column<Real> column = column_of<Real>(p);
+  if (column.is_uniform()) return computed_from<Real, false, Order>(column, p, limits, effort);
+  return computed_from<Real, true, Order>(column, p, limits, effort);
 }
 
 /// The error bars from two twins of the column, whose dashpots, gaps and masses differ from its own in the thirteenth
@@ -132,18 +170,19 @@ SimulationResult simulate_exact(const Parameters& p, ComputeBudget* budget) {
   SimulationResult c = computed_in<double>(p, limits, effort);
   if (c.status != Status::ok || c.eps_eff_error <= p.tolerance) return c;
 
-  const double wanted = safety * effort.disturbance / p.tolerance;
   c = with_errors_from_twins(c, p, limits, effort.velocity);
   if (c.eps_eff_error <= p.tolerance) return c;
 
-  const auto keep_better = [&](const SimulationResult& wide) {
+  const auto meets_it_in = [&]<class Wide>(double expected_bar, Wide) {
+    if (!(expected_bar <= p.tolerance) || effort.work > work_limit<Wide>) return false;
+    Effort of_no_matter;
+    const SimulationResult wide = computed_in<Wide>(p, limits, of_no_matter);
     if (wide.status == Status::ok && wide.eps_eff_error < c.eps_eff_error) c = wide;
     return c.eps_eff_error <= p.tolerance;
   };
-  if (wanted < gain<long double>() && effort.work <= long_double_limit &&
-      keep_better(computed_in<long double>(p, limits, effort)))
+  if (meets_it_in(effort.bar_in_long_double, 0.0L) || meets_it_in(effort.bar_in_double_double, DoubleDouble()) ||
+      meets_it_in(effort.bar_in_quad, Quad()))
     return c;
-  if (wanted < gain<Quad>() && effort.work <= quad_limit && keep_better(computed_in<Quad>(p, limits, effort))) return c;
   c.eps_eff_error = std::min(1.0, c.eps_eff_error);
   c.status = Status::tolerance_missed;
   return c;

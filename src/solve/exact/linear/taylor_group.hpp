@@ -16,6 +16,8 @@
 
 namespace sigmasweep {
 
+class DoubleDouble;
+
 /// Taylor orders by type: with steps of h |s|_max = reach, |s|_max the largest rate of the chain's modes, the first
 /// term left out is reach^(order+1)/(order+1)! of the largest.
 template <class Real>
@@ -30,6 +32,10 @@ template <>
 struct TaylorOrder<long double> {
   static constexpr int value = 28;
 };  // 6e-23
+template <>
+struct TaylorOrder<DoubleDouble> {
+  static constexpr int value = 36;
+};  // 1e-32
 inline constexpr double taylor_reach = 2.0;
 /// For loose tolerances: 3e-8.
 inline constexpr int low_order = 14;
