@@ -19,7 +19,8 @@ struct SeriesFit {
   std::uint64_t points = 0;
 };
 
-/// Draws rows with gnuplot as the plot's spec says. The ending of `path` (svg, png, pdf) chooses the form. Axes have
+/// Draws rows with gnuplot as the plot's spec says. The ending of `path` (svg, png, pdf) chooses the form; html is an
+/// interactive page, gp the commands of gnuplot with their data, csv the points. Axes have
 /// the paper's symbols and units. There is a series for each combination of values of plot.series. If soft and hard
 /// spheres both occur, hard ones are dashed lines, or symbols with error bars. Fitted lines are thin, with their slopes
 /// in the key; guides are dashed. A note on the plot counts the rows that cannot be drawn, because they failed or are

@@ -112,7 +112,7 @@ void declare(OptionSet& set, PlotOptions& options) {
   set.add({"table", "A table that 'run' or 'precision' wrote", "TABLE.h5"}, options.table);
   set.add({"-o,--output",
            "The picture of the first plot (further plots: FILE-name.svg); default: the table's name, in this directory",
-           "FILE.svg|png|pdf"},
+           "FILE.svg|png|pdf|html|gp|csv"},
           options.output);
   set.add({"--name", "Only the plot of this name", "NAME"}, options.name);
   set.add({"--kind",
@@ -134,9 +134,13 @@ void declare(OptionSet& set, PlotOptions& options) {
 Command plot_command() {
   return make_command(
       "plot", "Draw a table as its spec says",
-      "\nWith --x, --y, --x-scale, --y-scale or --series only the first plot, or that of --name, is drawn, without\n"
+      "\nhtml is one page that works offline: zoom, and a point tells its row, its error and the command that repeats "
+      "it;\n"
+      "gp are the commands of gnuplot with their data, csv the points. Films and maps are svg, png or pdf.\n\n"
+      "With --x, --y, --x-scale, --y-scale or --series only the first plot, or that of --name, is drawn, without\n"
       "the spec's fit and guides.\n\n"
       "  sigmasweep plot fig2a.h5 -o fig2a.png\n"
+      "  sigmasweep plot fig2a.h5 -o fig2a.html\n"
       "  sigmasweep plot fig2a.h5 --x \"s0/v0\" --y \"1 - eps_eff\" --y-scale log -o loss.svg",
       declare, plot_table);
 }

@@ -86,7 +86,7 @@ void Curves::add_to_mean(std::size_t curve, const Row& row, const Point& point) 
   const Place place{curve, rounded(point.x)};
   const std::uint64_t which = seen_[{place, std::move(over)}]++;
   const auto [group, fresh] = groups_.try_emplace({place, which}, means_.size());
-  if (fresh) means_.push_back({.curve = curve, .x = point.x});
+  if (fresh) means_.push_back({.curve = curve, .x = point.x, .row = point.row});
   means_[group->second].values.push_back(point.y);
 }
 
@@ -94,7 +94,7 @@ void Curves::take_means() {
   if (means_.empty()) return;
   for (const Mean& m : means_) {
     if (m.values.size() == 1) {
-      curves_[m.curve].points.push_back({m.x, m.values.front()});
+      curves_[m.curve].points.push_back({.x = m.x, .y = m.values.front(), .row = m.row});
       continue;
     }
     const auto [mean, variance] = boost::math::statistics::mean_and_sample_variance(m.values);

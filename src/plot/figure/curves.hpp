@@ -30,7 +30,8 @@ class Curves {
   struct Mean {
     std::size_t curve;
     double x;
-    std::vector<double> values{};  ///< y of each row
+    std::vector<double> values{};     ///< y of each row
+    std::size_t row = Point::no_row;  ///< the first one
   };
   std::size_t curve_of(const Row& row);
   void add_to_mean(std::size_t curve, const Row& row, const Point& point);

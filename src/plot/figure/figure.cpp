@@ -181,7 +181,8 @@ Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::str
   Guides guides(spec);
   for (const Row* row : drawable) {
     const double deviation = error ? (*error)(*row) : 0.0;
-    const Point point{x(*row), y(*row), std::isfinite(deviation) ? deviation : 0.0};
+    const Point point{x(*row), y(*row), std::isfinite(deviation) ? deviation : 0.0,
+                      static_cast<std::size_t>(row - rows.data())};
     if (!is_success(row->result.status))
       ++dropped.failed;
     else if (!std::isfinite(point.x) || !std::isfinite(point.y))

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,8 +15,10 @@
 namespace sigmasweep::plot {
 
 struct Point {
+  static constexpr std::size_t no_row = SIZE_MAX;
   double x, y;
-  double deviation = 0.0;  ///< length of the error bar: standard deviation or error of y; 0: no bar
+  double deviation = 0.0;    ///< length of the error bar: standard deviation or error of y; 0: no bar
+  std::size_t row = no_row;  ///< its place among the rows of the figure; none for a mean
 };
 
 struct Curve {
