@@ -156,7 +156,7 @@ std::string html_page(const Figure& figure, std::span<const Row> all_rows, const
   std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
   for (std::size_t at = 0; (at = json.find('<', at)) != json.npos;) json.replace(at, 1, "\\u003c");  // ends no script
   const std::string title = figure.title.empty() ? spec.y + " against " + spec.x : figure.title;
-  return filled(page_template, {{"@TITLE@", escape_html(title)}, {"@DATA@", json}});
+  return filled(page_template(), {{"@TITLE@", escape_html(title)}, {"@DATA@", json}});
 }
 
 }  // namespace sigmasweep::plot

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "model/fields/conditions.hpp"
 #include "sigmasweep/model/fields.hpp"
 #include "sigmasweep/model/relevance.hpp"
 
@@ -17,7 +18,7 @@ bool follows(const Parameters& p, std::string_view name) {
   if (name == "A0") return true;
   if (name == "tc" || name == "epsilon") return p.K_over_m > 0.0;
   if (name == "K_over_m" || name == "D_n" || name == "d") return of_material;
-  if (name == "N") return p.geometry == Geometry::lattice || p.geometry == Geometry::vibrated_lattice;
+  if (name == "N") return conditions::lattice.holds(p);  // rows times columns
   return false;
 }
 
