@@ -1,4 +1,4 @@
-// Pages of HTML: markup, and the command that repeats a row. That the page works a browser says:
+// Pages of HTML: markup, and what titles may be. That the page works a browser says:
 // tests/cli/html_test.py.
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 
 #include "plot/html/markup.hpp"
 #include "plot/html/page.hpp"
-#include "plot/html/repeat.hpp"
 #include "support/parameters.hpp"
 
 namespace sigmasweep::plot {
@@ -35,15 +34,6 @@ Row row() {
   row.parameters = completed({.v0 = 1.0, .tc = 1e-5, .s0 = 1e-6});
   row.result.eps_eff = 0.5;
   return row;
-}
-
-TEST(Html, CommandsHaveWhatIsNotUsual) {
-  EXPECT_EQ(command_of(row().parameters).substr(0, 28), "sigmasweep one --v0 1 --tc 1");
-  Parameters p = row().parameters;
-  p.method = Method::ed;
-  EXPECT_NE(command_of(p).find("--method ed"), std::string::npos);
-  EXPECT_EQ(command_of(row().parameters).find("--method"), std::string::npos);
-  EXPECT_EQ(command_of(row().parameters).find("--s0"), std::string::npos);  // follows from sigma
 }
 
 TEST(Html, ATitleEndsNeitherTitleNorScript) {

@@ -11,6 +11,7 @@
 #include "store/rows/json.hpp"
 #include "store/stored/stored_sweep.hpp"
 #include "sweep/expression/where.hpp"
+#include "sweep/repeat_command.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -52,7 +53,7 @@ void print_columns(const std::vector<Field>& fields, const std::vector<const Row
     for (std::size_t i = 0; i < widths.size(); ++i)
       out += fmt::format("{}{:>{}}", i ? "  " : "", lines[k][i], widths[i]);
     fmt::print("{}\n", out);
-    if (with_command && k >= 2) fmt::print("  {}\n", repeat_command(*rows[k - 2]));
+    if (with_command && k >= 2) fmt::print("  {}\n", repeat_command(rows[k - 2]->parameters));
   }
 }
 
@@ -94,7 +95,7 @@ void print_json(const StoredSweep& stored, const ShowOptions& options, const std
     nlohmann::ordered_json result = {{"row", row->index}};
     result.update(json_of(table.columns, *row));
     result.update(json_of(timing_fields(), *row));
-    if (options.failed) result["repeat"] = repeat_command(*row);
+    if (options.failed) result["repeat"] = repeat_command(row->parameters);
     document["results"].push_back(std::move(result));
   }
   // Bytes of the title that are not UTF-8 are replaced.

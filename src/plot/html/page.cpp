@@ -10,9 +10,9 @@
 
 #include "plot/html/markup.hpp"
 #include "plot/html/page_template.hpp"
-#include "plot/html/repeat.hpp"
 #include "plot/palette.hpp"
 #include "sigmasweep/model/relevance.hpp"
+#include "sweep/repeat_command.hpp"
 
 namespace sigmasweep::plot {
 namespace {
@@ -48,7 +48,7 @@ class PageRows {
       const Row& row = rows_[place];
       Json values = Json::array();
       for (const Field& field : fields) values.push_back(value_of(field, row));
-      all[number] = {{"index", row.index}, {"values", values}, {"command", command_of(row.parameters)}};
+      all[number] = {{"index", row.index}, {"values", values}, {"command", repeat_command(row.parameters)}};
     }
     return all;
   }

@@ -108,28 +108,4 @@ std::string rows_by_status(std::span<const Row> rows) {
   return text;
 }
 
-std::string repeat_command(const Row& row) {
-  // Both of s0 and sigma are stored, and both of alpha and A0; give the one that the other follows from to the bit.
-  Parameters p = row.parameters;
-  p.A0 = 0.0;
-  derive_gap(p, GapParameter::s0);
-  derive_plate_motion(p);
-  const bool from_s0 = p.sigma == row.parameters.sigma, from_alpha = p.A0 == row.parameters.A0;
-  const Row defaults;
-  std::string command = "sigmasweep one";
-  for (const Field& field : parameter_fields()) {
-    if (field.name == (from_s0 ? "sigma" : "s0") || field.name == (from_alpha ? "A0" : "alpha")) continue;
-    if (!applies_to(field, row.parameters)) continue;
-    static constexpr auto always =
-        std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "rows", "epsilon", "beta", "gamma"});
-    const bool needed = std::find(always.begin(), always.end(), field.name) != always.end();
-    const bool chooses = field.name == "tolerance" && row.parameters.steps_per_tc == 0.0;  // the step, by being given
-    if (!needed && !chooses && number(field, row) == number(field, defaults)) continue;
-    std::string option(field.name);
-    std::replace(option.begin(), option.end(), '_', '-');
-    command += fmt::format(" --{} {}", option, text(field, row));
-  }
-  return command;
-}
-
 }  // namespace sigmasweep

@@ -45,7 +45,4 @@ std::vector<std::pair<std::string_view, std::uint64_t>> count_by_status(std::spa
 /// "ok 2005, time_limit 5".
 std::string rows_by_status(std::span<const Row> rows);
 
-/// The command line that computes this row again, to the bit.
-std::string repeat_command(const Row& row);
-
 }  // namespace sigmasweep
