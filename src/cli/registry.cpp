@@ -11,6 +11,7 @@
   X(one) \
   X(advise) \
   X(plot) \
+  X(report) \
   X(status) \
   X(show) \
   X(export) \

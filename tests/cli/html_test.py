@@ -2,6 +2,7 @@
 installed it is used with real clicks and keys."""
 
 import csv
+import html
 import importlib.util
 import json
 import pathlib
@@ -78,6 +79,30 @@ class Pages(unittest.TestCase):
         drawn = subprocess.run(["gnuplot", "table.gp"], cwd=self.sweep.path, capture_output=True, text=True, timeout=60)
         self.assertEqual(drawn.returncode, 0, drawn)
         self.assertIn("</svg>", drawn.stdout)
+
+    def test_report(self):
+        ended = subprocess.run([PROGRAM, "report", "table.h5"], cwd=self.sweep.path, capture_output=True, text=True,
+                               timeout=60)
+        self.assertEqual((ended.returncode, ended.stdout, ended.stderr), (0, "table-report.html\n", ""), ended)
+        page = (self.sweep.path / "table-report.html").read_text()
+        self.assertNotRegex(page.replace("http://www.w3.org", ""), r"https?:|<script|@import")
+        self.assertIn("<title>Soft &amp; hard &lt;beads&gt;</title>", page)
+        self.assertEqual(page.count("<img alt="), 1)
+        self.assertIn(f"<th>ok</th><td>{len(self.eps_eff)}</td>", page)
+        for line in SPEC.splitlines():
+            self.assertIn(html.escape(line), page)
+
+    def test_report_tells_rows_without_a_result(self):
+        failing = Sweep("[sweep]\nmethod = 'ed'\nN = [3, 30]\nepsilon = 0.1\nv0 = 1\ntc = 1e-5\nsigma = 1\n"
+                        "[trajectory]\nsamples = 11\n[plot]\nkind = 'trajectories'\n")
+        failing.run(0)
+        shutil.rmtree(failing.path / "table.trajectories", ignore_errors=True)
+        ended = subprocess.run([PROGRAM, "report", "table.h5", "-o", "x.html"], cwd=failing.path, capture_output=True,
+                               text=True, timeout=60)
+        self.assertEqual(ended.returncode, 0, ended)
+        page = (failing.path / "x.html").read_text()
+        self.assertIn("could not be drawn", page)
+        self.assertIn("collapsed", page)
 
     @unittest.skipUnless(HAS_BROWSER, "chromium, chromium-driver or python3-selenium is not installed")
     def test_in_a_browser(self):

@@ -5,12 +5,11 @@
 
 #include "base/output/place.hpp"
 #include "cli/command.hpp"
-#include "cli/films/plot.hpp"
 #include "cli/read_sweep.hpp"
+#include "cli/report/picture.hpp"
 #include "engine/run_options.hpp"
 #include "plot/named.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/plot/plot.hpp"
 #include "store/stored/stored_sweep.hpp"
 #include "studies/precision/pictures.hpp"
 #include "studies/precision/plot.hpp"
@@ -47,28 +46,11 @@ void override(PlotSpec& spec, const PlotOptions& options) {
   spec.guides.clear();
 }
 
-/// The title, which says when rows are still to come.
-std::string title_of(const StoredSweep& stored, const PlotSpec& spec) {
-  const std::string title = spec.title.empty() ? stored.table.info.title : spec.title;
-  if (stored.complete) return title;
-  return fmt::format("{}{}({} of {} rows so far)", title, title.empty() ? "" : " ", stored.table.rows.size(),
-                     stored.total);
-}
-
-void draw(const StoredSweep& stored, PlotSpec spec, const PlotOptions& options, const std::string& file) {
-  const auto& [info, columns, rows] = stored.table;
-  spec.title = title_of(stored, spec);
-  std::vector<SeriesFit> fits;
-  switch (spec.kind) {
-    case PlotKind::points: fits = plot_rows(rows, spec, info.title, file); break;
-    case PlotKind::trajectories: plot_films(stored, spec, options.table, file); break;
-    case PlotKind::stability:
-      if (!stored.sweep)
-        throw UsageError("plot: the table's spec, which names the map's axes, cannot be read any more");
-      plot_stability(rows, spec, stored.sweep->axes(), info.title, file);
-  }
+/// Draws a plot of the table, prints the file's name and, unless `quiet`, the fits.
+void draw(const StoredSweep& stored, const PlotSpec& spec, const PlotOptions& options, const std::string& file) {
+  const std::string fits = draw_picture(stored, options.table, spec, file);
   fmt::print("{}\n", file);
-  if (spec.fit && !options.quiet) fmt::print("{}", fit_table(fits, *spec.fit));
+  if (!options.quiet) fmt::print("{}", fits);
 }
 
 int plot_table(const PlotOptions& options) {
