@@ -107,7 +107,7 @@ def scopes(path):
             while (shorter := re.sub(r"<[^<>]*>", " ", head)) != head:  # "class" of template parameters names no class
                 head = shorter
             namespace = re.match(r"(?:inline )?namespace\s*([\w:]*)", head)
-            kind = re.search(r"(?:^|\s|>)(struct|class|enum class|enum|union)\s+(?:alignas\([^)]*\)\s*)?(\w+)[^()=]*$", head)
+            kind = re.search(r"(?:^|\s|>)(struct|class|enum class|enum|union)\s+(?:alignas\([^)]*\)\s*)?((?:\w+::)*\w+)[^()=]*$", head)
             stack.append(("namespace", namespace[1]) if namespace else
                          ("class", kind[2]) if kind and not kind[1].startswith("enum") else ("other", ""))
             pending = ""
