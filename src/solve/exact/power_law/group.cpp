@@ -91,7 +91,7 @@ Real PowerLawGroup<Real, Ground>::trial(const Real& span) {
   span_ = span;
   work_ += n_;
   const auto system = [this](const State& y, State& dy, const Real& at) { slopes(y, dy, at); };
-  return scheme_.step(system, start_, start_slope_, from_, span, end_) / accuracy_;
+  return error_ = scheme_.step(system, start_, start_slope_, from_, span, end_) / accuracy_;
 }
 
 /// Of the closed contacts near x = 0 the fastest: its kink is the strongest.
@@ -185,6 +185,10 @@ bool PowerLawGroup<Real, Ground>::step(const Real& begin) {
     }
     if (!crossing) (leader_ == none ? next_time_span_ : next_s_span_) = lengthened(span_, error);
     end_at(crossing);
+    if (crossing && !(error_ <= 1)) {  // it ends at a kink, which the whole step did not see
+      span = span_ / 2;
+      continue;
+    }
     return true;
   }
   return false;

@@ -95,6 +95,7 @@ class PowerLawGroup {
   State scratch_, start_, end_, start_slope_, end_slope_;
   std::size_t leader_ = none, banned_ = none;
   Real from_{}, span_{};  ///< of the independent variable
+  Real error_{};          ///< of the last trial, over the accuracy
   Real next_time_span_{}, next_s_span_{};
   Real length_{};
   std::optional<std::size_t> event_;

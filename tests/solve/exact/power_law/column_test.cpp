@@ -209,6 +209,20 @@ TEST(Nonlinear, ErrorBarHoldsForRandomTuples) {
   bars.expect_true(110);
 }
 
+/// Contact 2 opens 3e-5 tc after contact 1 has closed: a step that ends there is a part of one whose error estimate did
+/// not see the kink, and has its own.
+TEST(Nonlinear, ErrorBarHoldsWhereAStepEndsAtAKink) {
+  Parameters p = soft_column({.sigma = 1.081180751076608, .epsilon = 0.9, .N = 3, .law = Law::hertz_kuwabara_kono});
+  p.tolerance = 1e-12;
+  const SimulationResult fine = simulate(p);
+  for (const double tolerance : {1e-8, 1e-9, 1e-10}) {
+    p.tolerance = tolerance;
+    const SimulationResult c = simulate(p);
+    EXPECT_NEAR(c.eps_eff, fine.eps_eff, c.eps_eff_error + fine.eps_eff_error) << tolerance;
+    EXPECT_LE(c.eps_eff_error, tolerance);
+  }
+}
+
 TEST(Nonlinear, MeetsTheTolerance) {
   for (const double tolerance : {1e-4, 1e-7, 1e-10, 1e-12}) {
     Parameters p = fig3(Law::hertz_kuwabara_kono, 2e12, 1e5, 20);
