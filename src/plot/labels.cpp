@@ -1,6 +1,8 @@
 #include "plot/labels.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <string_view>
@@ -21,6 +23,42 @@ std::string scientific(double value) {
   auto last = text.find_last_not_of('0', e - 1);
   if (text[last] == '.') --last;
   return text.erase(last + 1, e - last - 1);
+}
+
+/// An enumerator as people read it in a key.
+struct Words {
+  std::string_view field, value, words;
+};
+constexpr auto known_words = std::to_array<Words>({
+    {"method", "md", "MD"},
+    {"method", "ed", "ED"},
+    {"law", "hooke", "Hooke"},
+    {"law", "hertz", "Hertz"},
+    {"law", "hertz-kuwabara-kono", "Hertz-Kuwabara-Kono"},
+    {"law", "taguchi", "Taguchi"},
+    {"law", "power", "power law"},
+    {"law", "cone", "cones"},
+    {"integrator", "exact", "exact"},
+    {"integrator", "gear5", "Gear"},
+    {"integrator", "verlet", "Verlet"},
+    {"integrator", "rk4", "RK4"},
+    {"integrator", "leapfrog", "leapfrog"},
+    {"geometry", "column", "column"},
+    {"geometry", "lattice", "lattice"},
+    {"geometry", "vibrated-column", "vibrated column"},
+    {"geometry", "vibrated-lattice", "vibrated lattice"},
+    {"random_separation", "false", "equal gaps"},
+    {"random_separation", "true", "random gaps"},
+    {"side_walls", "periodic", "periodic sides"},
+    {"side_walls", "fixed", "side walls"},
+    {"ed_rule", "lrv", "LRV"},
+    {"ed_rule", "tc", "TC"},
+});
+
+std::string words_of(std::string_view field, std::string_view value) {
+  const auto known = std::ranges::find_if(
+      known_words, [&](const Words& words) { return words.field == field && words.value == value; });
+  return known == known_words.end() ? fmt::format("{} {}", field, value) : std::string(known->words);
 }
 
 }  // namespace
@@ -90,8 +128,7 @@ std::string expression_label(std::string_view expression) {
 }
 
 std::string value_label(const Field& field, const Row& row) {
-  if (field.type == FieldType::of<Method>()) return row.parameters.method == Method::ed ? "ED" : "MD";
-  if (!enumerators(field.type).empty()) return escape_markup(field.name) + " " + escape_markup(text(field, row));
+  if (!enumerators(field.type).empty()) return escape_markup(words_of(field.name, text(field, row)));
   std::string label = symbol_of(field) + " = " + pretty(number(field, row));
   if (field.unit != "1" && !field.unit.empty()) label += " " + escape_markup(field.unit);
   return label;

@@ -57,6 +57,18 @@ TEST(PlotFigure, HardSpheresAreOneLineWhateverTheSeries) {
   EXPECT_EQ(figure.title, "title");
 }
 
+TEST(PlotFigure, KeysHaveWordsForNames) {
+  std::vector<Row> rows{make_row(Method::md, 1, 1e-5, 0.1, 0.9), make_row(Method::md, 1, 1e-5, 0.1, 0.8)};
+  rows[1].parameters.law = Law::hertz_kuwabara_kono;
+  rows[1].parameters.random_separation = Flag::yes;
+  PlotSpec spec;
+  spec.series = {"law", "random_separation", "wall"};
+  const auto figure = plot::figure_of(rows, spec, "");
+  ASSERT_EQ(figure.curves.size(), 2u);
+  EXPECT_EQ(figure.curves[0].label, "Hooke, equal gaps, wall paper");
+  EXPECT_EQ(figure.curves[1].label, "Hertz-Kuwabara-Kono, random gaps, wall paper");
+}
+
 TEST(PlotFigure, CountsWhatCannotBeDrawn) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Row> rows{
