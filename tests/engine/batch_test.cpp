@@ -15,7 +15,7 @@ namespace {
 constexpr RunNotesIdentity identity{.spec_hash = 1, .rows = 1000, .run = 2};
 constexpr const char* spec = R"(
 [sweep]
-method = ["ed", "md"]
+integrator = ["verlet", "exact"]
 v0 = 0.1
 tc = 1e-5
 epsilon = { from = 0.5, to = 0.9, count = 100 }
