@@ -38,9 +38,9 @@ SIGMASWEEP_LANEWISE void expand_runs(Columns<W, HasUnequalMasses>& c) {
 /// Every active column flies to its next contact if nothing touches, and goes on by a step, to the first event in it.
 template <int W, bool HasUnequalMasses>
 SIGMASWEEP_LANEWISE void advance_columns(Columns<W, HasUnequalMasses>& c) {
-  Mask<W> touching = Mask<W>::none();
-  for (int k = 0; k < c.N; ++k) touching = touching | Mask<W>::load(c.closed[k]);
-  if (const Mask<W> free = Mask<W>::load(c.active) & ~touching; any(free)) fly<W>(c, free);
+  long long free[W];
+  for (int l = 0; l < W; ++l) free[l] = c.closed_bits[l] == 0 ? c.active[l] : 0;
+  if (const auto flies = Mask<W>::load(free); any(flies)) fly<W>(c, flies);
   find_runs<W>(c);
   expand_runs<W>(c);
   find_first_event<W>(c, Mask<W>::load(c.active));

@@ -220,17 +220,23 @@ SIGMASWEEP_LANEWISE Mask<W> any_of(const Suspects<W>& suspects) {
   return some;
 }
 
-/// The distance of contact k from its event becomes the candidate of some lanes.
+/// The distance of each lane's contact from its event becomes the candidate.
 template <int W, bool HasUnequalMasses>
-SIGMASWEEP_LANEWISE void take_candidate(Columns<W, HasUnequalMasses>& c, int k, Mask<W> lanes) {
+SIGMASWEEP_LANEWISE void take_candidate(Columns<W, HasUnequalMasses>& c, Pack<W> contact) {
   using P = Pack<W>;
-  const Mask<W> at_zero = P::load(c.a[0][k]) == P(0.0), open = ~Mask<W>::load(c.closed[k]);
-  P term = P::load(c.a[0][k]);
-  for (int p = 0; p <= order; ++p) {
-    const P next = p < order ? P::load(c.a[p + 1][k]) * P(one_over.of_factorial[p + 1]) : P(0.0);
-    select(lanes, negated_where(open, select(at_zero, next, term)), P::load(c.candidate[p])).store(c.candidate[p]);
-    term = next;
+  long long lane[W];
+  for (int l = 0; l < W; ++l) lane[l] = l;
+  const auto place = whole_numbers(contact) * W + Mask<W>::load(lane).v;
+  const Mask<W> open = gather<W>(c.acting_spring[0], place) == P(0.0);
+  const Mask<W> at_zero = gather<W>(c.a[0][0], place) == P(0.0);
+  const auto first = place + (at_zero.v & (most_beads * W));  // x/t
+#pragma GCC unroll 24
+  for (int p = 0; p < order; ++p) {
+    const P weight = select(at_zero, P(one_over.of_factorial[p + 1]), P(one_over.of_factorial[p]));
+    (negated_where(open, gather<W>(c.a[p][0], first)) * weight).store(c.candidate[p]);
   }
+  const P last = gather<W>(c.a[order][0], place) * P(one_over.of_factorial[order]);
+  where(~at_zero, negated_where(open, last)).store(c.candidate[order]);
 }
 
 /// In each lane the suspect that seems to be first becomes the candidate and is no suspect any more.
@@ -247,12 +253,9 @@ SIGMASWEEP_LANEWISE void take_candidates(Columns<W, HasUnequalMasses>& c, Suspec
     contact = select(earlier, P(double(k)), contact);
     estimate = least(when, estimate);
   }
-  for (int i = 0; i < suspects.count; ++i) {
-    const int k = suspects.contact[i];
-    const Mask<W> taken = suspects.mask[i] & (contact == P(double(k)));
-    suspects.mask[i] = suspects.mask[i] & ~taken;
-    if (any(taken)) take_candidate<W>(c, k, taken);
-  }
+  for (int i = 0; i < suspects.count; ++i)
+    suspects.mask[i] = suspects.mask[i] & ~(contact == P(double(suspects.contact[i])));
+  take_candidate<W>(c, contact);
 }
 
 /// Length and event of some lanes by isolating the roots of their suspects.

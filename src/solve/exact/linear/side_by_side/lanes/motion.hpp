@@ -80,8 +80,8 @@ template <int W, bool HasUnequalMasses>
 }
 
 /// The largest of x_max and the overlap of contact k within [0, s]. Its rate is looked at in four places, and where it
-/// goes from positive to negative between two of them the maximum is located; x is flat there, so that Newton's method
-/// has all digits after few iterations.
+/// goes from positive to negative between two of them the maximum is located; x is flat there, so that it has all digits
+/// where Newton's method has half of them: after three iterations.
 template <int W, bool HasUnequalMasses>
 [[gnu::noinline]] void look_for_deepest(Columns<W, HasUnequalMasses>& c, int k, Pack<W> s, Mask<W> wanted) {
   using P = Pack<W>;
@@ -94,7 +94,7 @@ template <int W, bool HasUnequalMasses>
     const Mask<W> turns = wanted & (slope_before > zero) & (at_here.slope < zero);
     if (any(turns)) {
       P t = before + (here - before) * (slope_before / (slope_before - at_here.slope));
-      for (int iteration = 0; iteration < 6; ++iteration) {
+      for (int iteration = 0; iteration < 3; ++iteration) {
         const Taylor<order, P> taylor(t);
         const Jet<P> now = taylor.jet(c.a, k);
         largest = select(turns, most(now.x, largest), largest);

@@ -210,6 +210,30 @@ SIGMASWEEP_LANEWISE PairsMask<W> in_pairs(Mask<W> a) {
   return {twice(a.v)};
 }
 
+/// Whole numbers below 2^51, as such.
+template <int W>
+SIGMASWEEP_LANEWISE typename Vectors<W>::Bits whole_numbers(Pack<W> a) {
+  const Pack<W> shift(0x1p52);  // from here on the last bit is 1
+  return bits_of(a + shift) - bits_of(shift);
+}
+
+/// from[place] of each lane.
+SIGMASWEEP_LANEWISE double gathered(const double* from, long long place) { return from[place]; }
+#ifdef __AVX2__
+SIGMASWEEP_LANEWISE __m256d gathered(const double* from, Vectors<4>::Bits places) {
+  return _mm256_i64gather_pd(from, reinterpret_cast<__m256i>(places), 8);
+}
+#endif
+#ifdef __AVX512F__
+SIGMASWEEP_LANEWISE __m512d gathered(const double* from, Vectors<8>::Bits places) {
+  return _mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, reinterpret_cast<__m512i>(places), from, 8);
+}
+#endif
+template <int W>
+SIGMASWEEP_LANEWISE Pack<W> gather(const double* from, typename Vectors<W>::Bits places) {
+  return Pack<W>::of(gathered(from, places));
+}
+
 /// Bit l is set where lane l says yes.
 SIGMASWEEP_LANEWISE unsigned signs(long long v) { return v < 0; }
 #ifdef __AVX__
