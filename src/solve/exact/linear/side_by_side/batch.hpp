@@ -10,7 +10,7 @@
 /// bit. See docs/physics/side-by-side.md.
 namespace sigmasweep {
 
-/// Whether a column of the linear law at a fixed wall is taken: N <= 31, and contacts that oscillate.
+/// Whether a column of the linear law at a fixed wall is taken: N <= 63, and contacts that oscillate.
 bool goes_side_by_side(const Parameters& parameters);
 
 /// The results of tuples that are taken, in any order, with error bars. Status::event_limit: the tuple takes too many

@@ -10,17 +10,18 @@ using State = ContactState<double>;
 using Wide = long double;
 
 /// Contact k becomes `now`, and the gaps beside it receive their shares of the difference.
-void replace(LaneState::Numbers& x, LaneState::Numbers& u, int N, int k, const IsolatedContact& contact,
-             const State& now) {
+template <class Numbers>
+void replace(Numbers& x, Numbers& u, int N, int k, const IsolatedContact& contact, const State& now) {
+  using Number = typename Numbers::value_type;
   const double lost_x = x[k] - now.x, lost_u = u[k] - now.u;
   const auto push = [&](int gap, double share) {
-    x[gap] += share * lost_x;
-    u[gap] += share * lost_u;
+    x[gap] += static_cast<Number>(share * lost_x);
+    u[gap] += static_cast<Number>(share * lost_u);
   };
   if (k > 0) push(k - 1, contact.share_below);
   if (k + 1 < N) push(k + 1, contact.share_above);
-  x[k] = now.x;
-  u[k] = now.u;
+  x[k] = static_cast<Number>(now.x);
+  u[k] = static_cast<Number>(now.u);
 }
 
 IsolatedContact contact_of(const Column<Wide>& c, std::size_t k, Wide step) {
@@ -66,8 +67,9 @@ bool Isolated::may_jump(const double* x, const double* u, int stride, int N, std
 /// contacts beside it open.
 bool Isolated::to_jumps(LaneState& s) const {
   s.wall_opens = s.wall_opened;
-  s.depth = {};
-  LaneState::Numbers busy_until{};
+  std::fill_n(s.depth.begin(), s.N, 0.0);
+  LaneState::Numbers busy_until;
+  std::fill_n(busy_until.begin(), s.N, 0.0);
   for (int k = 0; k < s.N; ++k)
     if (s.closed[k] && !close_at_once(s, k, busy_until)) return false;
   for (int gap = 0; gap < s.N; ++gap) {

@@ -30,7 +30,8 @@ std::uint64_t noise_key(const Column<double>& column) {
   return key;
 }
 
-std::vector<double> velocities(const LaneState::Numbers& rates, std::size_t N, double step) {
+template <class Numbers>
+std::vector<double> velocities(const Numbers& rates, std::size_t N, double step) {
   std::vector<double> v(N);
   double sum = 0.0;
   for (std::size_t k = 0; k < N; ++k) v[k] = sum -= rates[k] / step;
@@ -57,19 +58,18 @@ Lane::Lane(const Parameters& parameters)
 }
 
 LaneState Lane::start() const {
-  LaneState s;
+  LaneState s(static_cast<int>(column_.N));
   const std::size_t N = column_.contacts();
   for (std::size_t k = 1; k < N; ++k) s.x[k] = -column_.initial_gap(k);
-  s.N = static_cast<int>(N);
   s.u[0] = column_.speed * law_->step;
   for (std::size_t k = 0; k < N && s.x[k] == 0.0 && !starts_by_jumps(); ++k) s.closed[k] = 1;
   // The gaps are rounded numbers: all of them the same way, as sigma is, or each for itself.
   const double widest =
       column_.gaps.empty() ? column_.gap : *std::max_element(column_.gaps.begin(), column_.gaps.end());
-  for (std::uint64_t d = 0; d < disturbances; ++d) {
-    std::uint64_t signs = noise(d);
+  for (int d = 0; d < disturbances; ++d) {
+    std::uint64_t signs = noise(d, 0);
     for (std::size_t k = 1; k < N; ++k) {
-      s.disturbed[d].x[k] = signs & 1 ? widest : -widest;
+      s.disturbed[static_cast<std::size_t>(d)].x[k] = static_cast<float>(signs & 1 ? widest : -widest);
       if (!column_.gaps.empty()) signs >>= 1;
     }
   }
@@ -109,7 +109,7 @@ auto Lane::balance(const LaneState& state) const -> Balance {
               .ahead = 2.0 * outlook.final_distance,
               .present = outlook.final_distance + outlook.present_distance};
   for (const auto& [dx, du] : state.disturbed) {
-    const std::span<const double> x = std::span(dx).first(N);
+    const std::vector<double> x(dx.begin(), dx.begin() + state.N);
     const std::vector<double> v = velocities(du, N, law_->step);
     now.disturbance = std::max(now.disturbance, rounding * energy.change(x, v));
     now.distance = std::max(now.distance, rounding * energy.distance(x, v));

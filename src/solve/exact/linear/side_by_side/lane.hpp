@@ -27,11 +27,14 @@ class Lane {
   /// 1/m of the bead above contact k.
   double inverse_mass(int k) const { return law_->isolated.contact(k).inverse_mass; }
   /// The sign of the rounding error of contact k's restitution in disturbance d.
-  double sign(std::uint64_t d, int k) const { return random_bits(~key_, d) >> k & 1 ? 1.0 : -1.0; }
+  double sign(int d, int k) const { return random_bits(~key_, static_cast<std::uint64_t>(d)) >> k & 1 ? 1.0 : -1.0; }
 
-  /// Random bits for the next step of the disturbance number d: 32 for overlaps and 32 for rates.
   void next_step() { ++steps_; }
-  std::uint64_t noise(std::uint64_t d) const { return random_bits(key_, disturbances * steps_ + d); }
+  /// Random bits for this step and disturbance d, for 32 contacts: 32 for overlaps and 32 for rates.
+  std::uint64_t noise(int d, int word) const {
+    return random_bits(key_, (words_of_noise * steps_ + static_cast<std::uint64_t>(word)) * disturbances +
+                                 static_cast<std::uint64_t>(d));
+  }
   /// Whether it is time for a look, or to give up.
   bool is_due(std::uint64_t contacts) const { return contacts >= next_look_ || steps_ >= step_limit_; }
   /// Whether a look would be of use, where one is due; `approach` is the largest rate at which an overlap grows. If

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -11,14 +12,23 @@ namespace sigmasweep::side_by_side {
 /// in units of a rounding error.
 struct LaneState {
   using Numbers = std::array<double, most_beads>;
+  using SmallNumbers = std::array<float, most_beads>;
   struct Disturbance {
-    Numbers x{}, u{};
+    SmallNumbers x, u;
   };
-  int N = 0;
-  Numbers x{}, u{};
-  std::array<Disturbance, disturbances> disturbed{};
-  std::array<std::uint8_t, most_beads> closed{};  ///< as long as the column goes by steps
-  Numbers depth{};                                ///< these two as in Jumps, as long as it goes by jumps
+
+  explicit LaneState(int beads) : N(beads) {
+    for (Numbers* const numbers : {&x, &u, &depth}) std::fill_n(numbers->begin(), N, 0.0);
+    for (auto& [dx, du] : disturbed)
+      for (SmallNumbers* const numbers : {&dx, &du}) std::fill_n(numbers->begin(), N, 0.0F);
+    std::fill_n(closed.begin(), N, std::uint8_t(0));
+  }
+
+  int N;
+  Numbers x, u;
+  std::array<Disturbance, disturbances> disturbed;
+  std::array<std::uint8_t, most_beads> closed;  ///< as long as the column goes by steps
+  Numbers depth;                                ///< these two as in Jumps, as long as it goes by jumps
   double wall_opens = 0.0;
   double clock = 0.0, wall_opened = 0.0, x_max = 0.0;
   std::uint64_t contacts = 0;

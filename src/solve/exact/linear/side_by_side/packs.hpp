@@ -63,8 +63,7 @@ class LanePack {
   /// The state of the column in lane l.
   LaneState state(int l) const {
     const Block& b = *block_;
-    LaneState s;
-    s.N = b.N;
+    LaneState s(b.N);
     for (int k = 0; k < b.N; ++k) {
       s.x[k] = b.a[0][k][l];
       s.u[k] = b.a[1][k][l];
@@ -97,8 +96,8 @@ class LanePack {
       b.a[1][k][l] = s.u[k];
       b.inverse_mass[k][l] = inside_[l]->lane.inverse_mass(k);
       for (int d = 0; d < disturbances; ++d) {
-        b.d[0][k][d * W + l] = static_cast<float>(s.disturbed[d].x[k]);
-        b.d[1][k][d * W + l] = static_cast<float>(s.disturbed[d].u[k]);
+        b.d[0][k][d * W + l] = s.disturbed[d].x[k];
+        b.d[1][k][d * W + l] = s.disturbed[d].u[k];
       }
     }
     b.clock[l] = s.clock;
@@ -113,11 +112,12 @@ class LanePack {
   void draw_noise(int l) {
     Lane& lane = inside_[l]->lane;
     lane.next_step();
-    for (int d = 0; d < disturbances; ++d) {
-      const std::uint64_t bits = lane.noise(static_cast<std::uint64_t>(d));
-      block_->noise[0][d * W + l] = static_cast<std::uint32_t>(bits);
-      block_->noise[1][d * W + l] = static_cast<std::uint32_t>(bits >> 32);
-    }
+    for (int d = 0; d < disturbances; ++d)
+      for (int word = 0; 32 * word < block_->N; ++word) {
+        const std::uint64_t bits = lane.noise(d, word);
+        block_->noise[0][word][d * W + l] = static_cast<std::uint32_t>(bits);
+        block_->noise[1][word][d * W + l] = static_cast<std::uint32_t>(bits >> 32);
+      }
   }
 
   using Steps = Columns<W, HasUnequalMasses>;

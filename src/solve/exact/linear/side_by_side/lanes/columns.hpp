@@ -5,13 +5,14 @@
 
 namespace sigmasweep::side_by_side {
 
-inline constexpr int most_beads = 31;  ///< a random word of 32 bits has a sign for each contact
+inline constexpr int most_beads = 63;
 /// Derivatives in the column's own series and in those of its disturbances, of which two digits are enough.
 inline constexpr int order = 24, disturbed_order = 8;
 /// Degree of the Bernstein polynomials that rule out events.
 inline constexpr int screen = 8;
 /// Linearised disturbances of each column, with independent signs.
 inline constexpr int disturbances = 2;
+inline constexpr int words_of_noise = (most_beads + 31) / 32;
 
 /// W columns of N beads, each with its own clock. Lengths in v0 tc; each lane's unit of time is its step h, so that
 /// rates are u h. Contacts are numbered 0 (the wall) to N-1, as everywhere. Plain numbers, which any source may read
@@ -30,14 +31,15 @@ struct alignas(64) Lanes {
 
   Row a[Derivatives + 1][most_beads];
   Pairs d[DisturbedDerivatives + 1][most_beads];
-  Row inverse_mass[most_beads];              ///< of the bead above each contact
-  std::uint32_t noise[2][disturbances * W];  ///< random bits for the next step: for overlaps, for rates
-  Flags active;                              ///< a column is in this lane, and has not come to an end
-  Row clock;                                 ///< since the first contact with the wall
-  Row wall_opened;                           ///< when the wall's contact opened last
-  Row x_max;                                 ///< the largest overlap
-  std::uint64_t contacts[W];                 ///< opened again
-  Flags separated;                           ///< the column has come to an end: nothing touches, nothing approaches
+  Row inverse_mass[most_beads];  ///< of the bead above each contact
+  /// Random bits for the next step, for overlaps and for rates: 32 contacts a word.
+  std::uint32_t noise[2][words_of_noise][disturbances * W];
+  Flags active;               ///< a column is in this lane, and has not come to an end
+  Row clock;                  ///< since the first contact with the wall
+  Row wall_opened;            ///< when the wall's contact opened last
+  Row x_max;                  ///< the largest overlap
+  std::uint64_t contacts[W];  ///< opened again
+  Flags separated;            ///< the column has come to an end: nothing touches, nothing approaches
   int N = 0;
 };
 

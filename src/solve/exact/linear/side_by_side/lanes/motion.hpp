@@ -38,8 +38,8 @@ SIGMASWEEP_LANEWISE void change_contact(Columns<W, HasUnequalMasses>& c, int k, 
 /// Random signs of the disturbances of contact k's overlap (0) and rate (1), times `size`, which is a lane's.
 template <int W, class Columns>
 SIGMASWEEP_LANEWISE Pairs<W> signed_at_random(const Columns& c, int k, int which, Pack<W> size) {
-  const auto words = PairsMask<W>::load(c.noise[which]);
-  return negated_where(PairsMask<W>{words.v << k}, in_pairs(size));
+  const auto words = PairsMask<W>::load(c.noise[which][k / 32]);
+  return negated_where(PairsMask<W>{words.v << k % 32}, in_pairs(size));
 }
 
 /// Rounding may leave a contact on the wrong side of 0.
@@ -80,8 +80,8 @@ template <int W, bool HasUnequalMasses>
 }
 
 /// The largest of x_max and the overlap of contact k within [0, s]. Its rate is looked at in four places, and where it
-/// goes from positive to negative between two of them the maximum is located; x is flat there, so that it has all digits
-/// where Newton's method has half of them: after three iterations.
+/// goes from positive to negative between two of them the maximum is located; x is flat there, so that it has all
+/// digits where Newton's method has half of them: after three iterations.
 template <int W, bool HasUnequalMasses>
 [[gnu::noinline]] void look_for_deepest(Columns<W, HasUnequalMasses>& c, int k, Pack<W> s, Mask<W> wanted) {
   using P = Pack<W>;
