@@ -14,8 +14,15 @@ template <>
 class std::numeric_limits<sigmasweep::DoubleDouble> : public std::numeric_limits<double> {
  public:
   static constexpr int digits = 104;
-  static constexpr sigmasweep::DoubleDouble epsilon();
-  static constexpr sigmasweep::DoubleDouble infinity();
+  // Templates, as the class is not complete here.
+  template <class Number = sigmasweep::DoubleDouble>
+  static constexpr Number epsilon() {
+    return 0x1p-104;
+  }
+  template <class Number = sigmasweep::DoubleDouble>
+  static constexpr Number infinity() {
+    return std::numeric_limits<double>::infinity();
+  }
 };
 
 namespace sigmasweep {
@@ -100,8 +107,3 @@ class DoubleDouble {
 };
 
 }  // namespace sigmasweep
-
-constexpr sigmasweep::DoubleDouble std::numeric_limits<sigmasweep::DoubleDouble>::epsilon() { return 0x1p-104; }
-constexpr sigmasweep::DoubleDouble std::numeric_limits<sigmasweep::DoubleDouble>::infinity() {
-  return std::numeric_limits<double>::infinity();
-}
