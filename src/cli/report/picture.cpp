@@ -14,7 +14,7 @@ namespace {
 
 /// The title, which says when rows are still to come.
 std::string title_of(const StoredSweep& stored, const PlotSpec& spec) {
-  const std::string title = spec.title.empty() ? stored.table.info.title : spec.title;
+  std::string title = spec.title.empty() ? stored.table.info.title : spec.title;
   if (stored.complete) return title;
   return fmt::format("{}{}({} of {} rows so far)", title, title.empty() ? "" : " ", stored.table.rows.size(),
                      stored.total);
