@@ -80,6 +80,14 @@ class Pages(unittest.TestCase):
         self.assertEqual(drawn.returncode, 0, drawn)
         self.assertIn("</svg>", drawn.stdout)
 
+    def test_plots_of_an_edited_spec(self):
+        (self.sweep.path / "edited.toml").write_text(SPEC + '[[plot]]\nx = "N"\ny = "1 - eps_eff"\nx_label = "beads"\n')
+        self.plot("edited.csv", "--spec", "edited.toml")
+        points = list(csv.DictReader((self.sweep.path / "edited.csv").open()))
+        self.assertEqual({float(point["N"]) for point in points}, {3.0, 5.0})
+        self.plot("edited.svg", "--spec", "edited.toml")
+        self.assertIn("beads", (self.sweep.path / "edited.svg").read_text())
+
     def test_report(self):
         ended = subprocess.run([PROGRAM, "report", "table.h5"], cwd=self.sweep.path, capture_output=True, text=True,
                                timeout=60)

@@ -14,6 +14,7 @@
 #include "studies/precision/pictures.hpp"
 #include "studies/precision/plot.hpp"
 #include "studies/precision/table.hpp"
+#include "studies/sections.hpp"
 #include "studies/stability/map.hpp"
 #include "studies/stability/plot.hpp"
 
@@ -22,6 +23,7 @@ namespace {
 
 struct PlotOptions {
   std::string table, output;
+  std::string spec;  ///< whose plots are drawn instead of those that the table has; empty: those
   std::string name;  ///< the plot to draw; empty: all
   std::string kind;  ///< "precision": error against run time; "stability": map of stable steps; empty: from the spec
   std::string x, y, x_scale, y_scale;  ///< if not empty, replace the spec's for one plot
@@ -53,18 +55,25 @@ void draw(const StoredSweep& stored, const PlotSpec& spec, const PlotOptions& op
   if (!options.quiet) fmt::print("{}", fits);
 }
 
+/// The plots of a spec, or those that the table was made with.
+std::vector<PlotSpec> plots_of(const StoredSweep& stored, const std::string& spec) {
+  if (!spec.empty()) return Sweep::load(spec, study_sections).plots();
+  return stored.sweep ? stored.sweep->plots() : std::vector<PlotSpec>(1);
+}
+
 int plot_table(const PlotOptions& options) {
   const std::string own_name = std::filesystem::path(options.table).filename().string();
   const std::string main_file = options.output.empty() ? named_after(own_name, ".svg") : options.output;
   require_other_file(main_file, std::array{options.table});
   if (is_precision_table(options.table)) {
+    if (!options.spec.empty()) throw UsageError("plot: --spec is for tables of 'run'");
     if (has_overrides(options)) throw UsageError("plot: a precision study has its own axes and series");
     draw_stored_precision(options.table, main_file, options.name);
     return 0;
   }
   const StoredSweep stored = read_sweep(options.table);
   if (stored.table.rows.empty()) throw InputNotFound(fmt::format("plot: {} has no row yet", options.table));
-  const std::vector<PlotSpec> all = stored.sweep ? stored.sweep->plots() : std::vector<PlotSpec>(1);
+  const std::vector<PlotSpec> all = plots_of(stored, options.spec);
   if (options.kind == "precision") {
     plot_precision_of(stored.table.rows, stored.table.info.title, main_file);
     fmt::print("{}\n", main_file);
@@ -96,6 +105,7 @@ void declare(OptionSet& set, PlotOptions& options) {
            "The picture of the first plot (further plots: FILE-name.svg); default: the table's name, in this directory",
            "FILE.svg|png|pdf|html|gp|csv"},
           options.output);
+  set.add({"--spec", "Draw the plots of this spec instead; nothing is computed again", "SPEC.toml"}, options.spec);
   set.add({"--name", "Only the plot of this name", "NAME"}, options.name);
   set.add({"--kind",
            "Draw error bars against run times, or the stability of fixed time steps",
