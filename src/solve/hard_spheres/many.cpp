@@ -1,25 +1,20 @@
 #include "solve/hard_spheres/many.hpp"
 
 #include <cmath>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "solve/hard_spheres/collision.hpp"
 
 namespace sigmasweep {
 namespace {
 
-/// All that a collision depends on in units of the gap and the speed; and the tolerance, which says when it is over.
-struct Scaled {
-  std::int64_t N;
-  double epsilon, tolerance;
-  Wall wall;
-  bool has_gap;
-  auto operator<=>(const Scaled&) const = default;
-};
+/// All that a collision depends on in units of the gap and the speed: N, epsilon, the wall, and whether there are gaps;
+/// and the tolerance, which says when it is over.
+using Scaled = std::tuple<std::int64_t, double, Wall, bool, double>;
 
 constexpr std::int64_t most_beads = 100;  ///< longer columns have too many collisions
 
@@ -41,7 +36,7 @@ void simulate_hard_spheres_many(std::span<const Parameters> parameters, std::spa
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const Parameters& p = parameters[i];
     if (!is_scaled(p)) continue;
-    const Scaled scaled{p.N, p.epsilon, p.tolerance, p.wall, p.sigma > 0.0};
+    const Scaled scaled{p.N, p.epsilon, p.wall, p.sigma > 0.0, p.tolerance};
     auto found = known.find(scaled);
     if (found == known.end()) found = known.emplace(scaled, short_hard_sphere_run(p)).first;
     if (!found->second) continue;
