@@ -78,10 +78,10 @@ std::string escape_markup(std::string_view text) {
 
 std::string pretty(double value) {
   const bool tiny = value != 0.0 && std::abs(value) < 1e-3;  // where {:g} would still write zeros
-  const std::string plain = tiny ? scientific(value) : fmt::format("{:.6g}", value);
+  std::string plain = tiny ? scientific(value) : fmt::format("{:.6g}", value);
   const auto e = plain.find('e');
   if (e == std::string::npos) return plain;
-  const std::string power = fmt::format("10^{{{}}}", std::stoi(plain.substr(e + 1)));
+  std::string power = fmt::format("10^{{{}}}", std::stoi(plain.substr(e + 1)));
   const std::string mantissa = plain.substr(0, e);
   if (mantissa == "1") return power;
   return mantissa + "×" + power;

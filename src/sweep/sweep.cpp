@@ -77,7 +77,7 @@ Sweep Sweep::parse(std::string_view text, const std::string& file, Sections sect
   spec::Document& document = impl->document;
   spec::read_tables(document, sections, any_section);
   impl->columns = columns_of(impl->tuples());
-  const Sweep sweep(impl);
+  Sweep sweep(impl);
   spec::Mistakes mistakes;
   if (document.trajectory)
     mistakes.keep([&] { impl->trajectory = spec::read_trajectory(*document.trajectory, sweep); });

@@ -117,8 +117,13 @@ where = "method == md || geometry == column"
 x = "geometry == lattice ? rows : N"
 series = ["geometry", "side_walls"]
 )toml",
-    "[sweep]\nmethod = 'ed'\nv0 = 1\nN = 3\nepsilon = 1\n"
-    "sigma = { sample = 'uniform', from = 0, to = 1, count = 9 }\n"};
+    R"toml([sweep]
+method = 'ed'
+v0 = 1
+N = 3
+epsilon = 1
+sigma = { sample = 'uniform', from = 0, to = 1, count = 9 }
+)toml"};
 
 const std::vector<std::string> tokens{"[",
                                       "]",
@@ -233,7 +238,7 @@ std::string complaint(const std::string& text) {
     const Sweep sweep = Sweep::parse(text, "fuzz.toml", study_sections);
     if (sweep.size() == 0) return "a sweep without rows";
     for (const std::uint64_t row : {std::uint64_t{0}, sweep.size() / 2, sweep.size() - 1})
-      if (const std::string why = why_invalid(sweep.at(row)); !why.empty()) return why;
+      if (std::string why = why_invalid(sweep.at(row)); !why.empty()) return why;
     return {};
   } catch (const SpecError& error) {
     const std::string message = error.what();
