@@ -27,7 +27,7 @@ class std::numeric_limits<sigmasweep::DoubleDouble> : public std::numeric_limits
 
 namespace sigmasweep {
 
-/// A number as the unevaluated sum of two doubles: 106 bits, ten times as fast as Quad, with a double's range. The
+/// A number as the unevaluated sum of two doubles: 106 bits, several times as fast as Quad, with a double's range. The
 /// algorithms are those of Joldes, Muller & Popescu, ACM Trans. Math. Softw. 44, 15 (2017), with relative errors of a
 /// few 2^-106. Functions go through Quad. Sources that use it are compiled without contraction.
 class DoubleDouble {

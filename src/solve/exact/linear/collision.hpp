@@ -29,12 +29,12 @@ template <class Real>
 Outcome<Real> exact_collision_from(const Column<Real>& column, std::span<const Real> rates,
                                    const RunLimits& limits = {});
 
-/// The tuple's collision with an error bar, by the cheapest way that keeps the tolerance. A linearised disturbance, fed
-/// with the rounding errors of every step, runs beside the column; its size at the end, and what is left to dissipate,
-/// make eps_eff_error. For tolerances of 1e-4 and above short series are tried first. Where the bar of the full ones is
-/// above the tolerance, two twins of the column that differ in the thirteenth digit have the second say, and then the
-/// wider types, if about a second is enough for them. Status tolerance_missed with the smallest error found where none
-/// meets the tolerance. contacts, t_k and x_max are those up to the stop at `settle` = tolerance/1000.
+/// The tuple's collision with an error bar, by the cheapest way that keeps the tolerance. Two linearised disturbances,
+/// fed with the rounding errors of every step, run beside the column; the size of the larger one, and what is left to
+/// dissipate, make eps_eff_error. For tolerances of 1e-4 and above short series are tried first. Where the bar of the
+/// full ones is above the tolerance, two twins of the column that differ in the thirteenth digit have the second say,
+/// and then the wider types, if about a second is enough for them. Status tolerance_missed with the smallest error
+/// found where none meets the tolerance. contacts, t_k and x_max are those up to the stop at `settle` = tolerance/1000.
 SimulationResult simulate_exact(const Parameters& parameters, ComputeBudget* budget = nullptr);
 
 /// The run in doubles, seen by the samples and over with the last of them. The clock starts at the first contact with
