@@ -11,23 +11,9 @@
 #include "sigmasweep/base/budget.hpp"
 #include "sigmasweep/model/row.hpp"
 #include "store/run_notes/run_notes.hpp"
+#include "sweep/schedule.hpp"
 
 namespace sigmasweep {
-
-/// One row of a sweep to compute, with its predicted CPU time, s. A plain value of fixed size: it is sent between
-/// ranks.
-struct SweepTask {
-  std::uint64_t index = 0;
-  double predicted_seconds = 0.0;
-  Parameters parameters;
-};
-
-/// What comes back: a Row without its parameters, which the manager knows.
-struct SweepAnswer {
-  std::uint64_t index = 0;
-  SimulationResult result;
-  Timing timing;
-};
 
 /// A hundred times the predicted time, but at least a minute, s.
 double default_time_limit(double predicted_seconds);
@@ -43,31 +29,36 @@ class BatchComputer {
   /// A row that takes longer than `limit` of CPU time, s, becomes Status::time_limit; by default the limit is
   /// default_time_limit(). `alone` are rows of which a process may have died: none of them is computed in a batch with
   /// others, so that only the guilty one is blamed.
-  BatchComputer(int rank, std::optional<double> limit, std::set<std::uint64_t> alone, RunNotes& notes);
+  /// `parameters_of` gives those of a row.
+  using ParametersOf = std::function<Parameters(std::uint64_t row)>;
+  BatchComputer(int rank, std::optional<double> limit, std::set<std::uint64_t> alone, RunNotes& notes,
+                ParametersOf parameters_of);
 
   /// The number of the first of `tasks` that make a batch.
-  std::size_t size(std::span<const SweepTask> tasks) const;
-  /// Computes the first tasks of a batch and appends their answers. It ends after a few milliseconds if the rows take
-  /// longer than predicted, but not before the first row, unless `should_end` says so.
-  void compute(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
-               std::vector<SweepAnswer>& answers);
+  std::size_t size(std::span<const ScheduledTask> tasks) const;
+  /// Computes the first tasks of a batch and appends their rows, without their attempts. It ends after a few
+  /// milliseconds if the rows take longer than predicted, but not before the first row, unless `should_end` says so.
+  void compute(std::span<const ScheduledTask> batch, const std::function<bool()>& should_end, std::vector<Row>& rows);
   /// Time by the clock that was spent on rows, s.
   double computing_seconds() const { return seconds_; }
 
  private:
   using Clock = RunNotes::Clock;
-  bool is_alone(const SweepTask& task) const { return !alone_.empty() && alone_.contains(task.index); }
-  ComputeBudget budget_of(const SweepTask& task, const std::function<bool()>& should_end) const;
-  SweepAnswer answer_to(const SweepTask& task, const SimulationResult& result, double seconds) const;
-  void one_by_one(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
-                  std::vector<SweepAnswer>& answers);
-  void side_by_side(std::span<const SweepTask> batch, const std::function<bool()>& should_end,
-                    std::vector<SweepAnswer>& answers);
+  struct Task : ScheduledTask {
+    Parameters parameters;
+  };
+  bool is_alone(const ScheduledTask& task) const { return !alone_.empty() && alone_.contains(task.row); }
+  bool goes_side_by_side(const ScheduledTask& task) const;
+  ComputeBudget budget_of(const Task& task, const std::function<bool()>& should_end) const;
+  Row row_of(const Task& task, const SimulationResult& result, double seconds) const;
+  void one_by_one(std::span<const Task> batch, const std::function<bool()>& should_end, std::vector<Row>& rows);
+  void side_by_side(std::span<const Task> batch, const std::function<bool()>& should_end, std::vector<Row>& rows);
 
   int rank_;
   std::optional<double> limit_;
   std::set<std::uint64_t> alone_;
   RunNotes& notes_;
+  ParametersOf parameters_of_;
   double seconds_ = 0.0;
 };
 

@@ -58,11 +58,6 @@ class ItemType {
   MPI_Datatype type_ = MPI_DATATYPE_NULL;
 };
 
-World::Block block_of(std::uint64_t total, std::uint64_t rank, std::uint64_t size) {
-  const std::uint64_t share = total / size, rest = total % size;
-  return {rank * share + std::min(rank, rest), share + (rank < rest ? 1 : 0)};
-}
-
 }  // namespace
 
 World::World(int& argc, char**& argv) {
@@ -104,19 +99,14 @@ double World::crowding() const {
 }
 
 World::Block World::block(std::uint64_t total) const {
-  return block_of(total, static_cast<std::uint64_t>(rank()), static_cast<std::uint64_t>(size()));
-}
-
-void World::scatter(std::span<const std::byte> items, std::size_t item_size, std::uint64_t total,
-                    std::span<std::byte> mine) const {
-  scatter_bytes(items.data(), is_manager() ? MPI_IN_PLACE : mine.data(), item_size, total);
+  return Blocks{total, static_cast<std::uint64_t>(size())}.of(static_cast<std::uint64_t>(rank()));
 }
 
 void World::scatter_bytes(const void* items, void* mine, std::size_t item_size, std::uint64_t total) const {
   const auto ranks = static_cast<std::uint64_t>(size());
-  std::vector<int> counts, firsts;  // MPI-3 counts are int: 2^31 rows, far beyond the manager's memory
+  std::vector<int> counts, firsts;
   for (std::uint64_t rank = 0; rank < ranks; ++rank) {
-    const Block block = block_of(total, rank, ranks);
+    const Block block = Blocks{total, ranks}.of(rank);
     counts.push_back(static_cast<int>(block.count));
     firsts.push_back(static_cast<int>(block.first));
   }

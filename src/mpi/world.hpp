@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "mpi/blocks.hpp"
+
 namespace sigmasweep {
 
 /// The ranks of a run. Rank 0 is the manager. Owns MPI from init to finalize, at thread level funneled: only the thread
@@ -31,10 +33,8 @@ class World {
   std::int64_t broadcast(std::int64_t number) const;
   double broadcast(double number) const;
 
-  /// Items first, first + 1, ..., first + count - 1 of `total`: this rank's block. Blocks differ by at most one item.
-  struct Block {
-    std::uint64_t first, count;
-  };
+  /// This rank's block of `total` items.
+  using Block = Blocks::Block;
   Block block(std::uint64_t total) const;
   /// The manager's items dealt out, to the bit, as contiguous blocks in the order of ranks: `block(total)` to each
   /// rank. Collective.
@@ -46,11 +46,6 @@ class World {
     scatter_bytes(items.data(), mine.data(), sizeof(Item), total);
     return mine;
   }
-
-  /// The same for items of `item_size` bytes: `mine` has room for this rank's block. The manager keeps its block, the
-  /// first, where it is, and has no `mine`. Collective.
-  void scatter(std::span<const std::byte> items, std::size_t item_size, std::uint64_t total,
-               std::span<std::byte> mine) const;
 
   /// How many ranks share a processor where it is worst; at least 1. Collective.
   double crowding() const;

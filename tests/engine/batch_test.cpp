@@ -29,12 +29,14 @@ class Batch : public testing::Test {
     begin_run_notes(directory_.file("t.h5"), identity, 1, true);
     notes_.emplace(directory_.file("t.h5"), identity, 0);
   }
-  std::vector<SweepTask> tasks(double predicted_seconds) const {
-    std::vector<SweepTask> tasks;
-    for (std::uint64_t row = 0; row < sweep_.size(); ++row) tasks.push_back({row, predicted_seconds, sweep_.at(row)});
+  std::vector<ScheduledTask> tasks(double predicted_seconds) const {
+    std::vector<ScheduledTask> tasks;
+    for (std::uint64_t row = 0; row < sweep_.size(); ++row) tasks.push_back({row, predicted_seconds});
     return tasks;
   }
-  BatchComputer computer(std::set<std::uint64_t> alone = {}) { return {0, {}, std::move(alone), *notes_}; }
+  BatchComputer computer(std::set<std::uint64_t> alone = {}) {
+    return {0, {}, std::move(alone), *notes_, [this](std::uint64_t row) { return sweep_.at(row); }};
+  }
 
   samples::Directory directory_;
   const Sweep sweep_ = Sweep::parse(spec, "spec");
@@ -51,7 +53,7 @@ TEST_F(Batch, HasManyCheapRowsAndFewLongOnes) {
 
 TEST_F(Batch, RowsOfWhichAProcessMayHaveDiedAreAlone) {
   const BatchComputer computer = this->computer({2, 3});
-  const std::vector<SweepTask> all = tasks(1e-6);
+  const std::vector<ScheduledTask> all = tasks(1e-6);
   const std::span left(all);
   EXPECT_EQ(computer.size(left), 2u);
   EXPECT_EQ(computer.size(left.subspan(2)), 1u);
@@ -61,8 +63,8 @@ TEST_F(Batch, RowsOfWhichAProcessMayHaveDiedAreAlone) {
 
 TEST_F(Batch, HasTheBitsOfOneByOneAndItsRowsShareTheTime) {
   BatchComputer computer = this->computer();
-  std::vector<SweepTask> all = tasks(1e-6);
-  std::vector<SweepAnswer> answers;
+  std::vector<ScheduledTask> all = tasks(1e-6);
+  std::vector<Row> answers;
   const double start = thread_seconds();
   while (answers.size() < all.size()) {
     const auto left = std::span(all).subspan(answers.size());
@@ -72,8 +74,8 @@ TEST_F(Batch, HasTheBitsOfOneByOneAndItsRowsShareTheTime) {
   const double needed = thread_seconds() - start;
   double sum = 0.0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    ASSERT_EQ(answers[i].index, all[i].index);
-    const SimulationResult alone = simulate(all[i].parameters);
+    ASSERT_EQ(answers[i].index, all[i].row);
+    const SimulationResult alone = simulate(sweep_.at(all[i].row));
     EXPECT_EQ(std::memcmp(&alone, &answers[i].result, offsetof(SimulationResult, status)), 0) << i;
     EXPECT_EQ(alone.status, answers[i].result.status);
     EXPECT_GT(answers[i].timing.run_time, 0.0);
@@ -84,34 +86,40 @@ TEST_F(Batch, HasTheBitsOfOneByOneAndItsRowsShareTheTime) {
 }
 
 /// Rows that drop out of a batch, as their tolerance is out of reach, take a thousand times what is predicted.
-std::vector<SweepTask> slow_tasks() {
-  const Sweep sweep = Sweep::parse(
+class SlowBatch : public Batch {
+ protected:
+  SlowBatch() {
+    for (std::uint64_t row = 0; row < slow_.size(); ++row) tasks_.push_back({row, 1e-5});
+  }
+  BatchComputer computer() {
+    return {0, {}, {}, *notes_, [this](std::uint64_t row) { return slow_.at(row); }};
+  }
+
+  const Sweep slow_ = Sweep::parse(
       "[sweep]\nv0 = 0.1\ntc = 1e-5\nN = 20\nepsilon = { from = 0.6, to = 0.601, count = 200 }\nsigma = 30.0\n",
       "spec");
-  std::vector<SweepTask> tasks;
-  for (std::uint64_t row = 0; row < sweep.size(); ++row) tasks.push_back({row, 1e-5, sweep.at(row)});
-  return tasks;
-}
+  std::vector<ScheduledTask> tasks_;
+};
 
-TEST_F(Batch, RowsThatDropOutAreBoundedAndTimedAlone) {
-  const std::vector<SweepTask> slow = slow_tasks();
+TEST_F(SlowBatch, RowsThatDropOutAreBoundedAndTimedAlone) {
+  const std::vector<ScheduledTask>& slow = tasks_;
   BatchComputer computer = this->computer();
   ASSERT_EQ(computer.size(slow), slow.size());
-  std::vector<SweepAnswer> answers;
+  std::vector<Row> answers;
   const double start = thread_seconds();
   computer.compute(
       slow, [] { return false; }, answers);
   ASSERT_GE(answers.size(), 1u);
   EXPECT_LT(answers.size(), slow.size());  // the others would take many seconds: they are put back
   double sum = 0.0;
-  for (const SweepAnswer& answer : answers) sum += answer.timing.run_time;
+  for (const Row& answer : answers) sum += answer.timing.run_time;
   EXPECT_LE(sum, thread_seconds() - start);
 }
 
-TEST_F(Batch, StopsBetweenAndWithinRowsThatDropOut) {
-  std::vector<SweepAnswer> answers;
+TEST_F(SlowBatch, StopsBetweenAndWithinRowsThatDropOut) {
+  std::vector<Row> answers;
   computer().compute(
-      slow_tasks(), [] { return true; }, answers);
+      tasks_, [] { return true; }, answers);
   EXPECT_LE(answers.size(), 1u);
 }
 

@@ -95,9 +95,10 @@ class DamagedJournals(unittest.TestCase):
     def test_damaged_records_are_told_and_computed_again(self):
         sweep = stopped_sweep()
         kept = len(sweep.journalled())
-        data = sweep.journal.read_bytes()
+        journal = max(sweep.journals(), key=lambda path: path.stat().st_size)
+        data = journal.read_bytes()
         size = struct.unpack_from("<I", data, 12)[0]
-        sweep.journal.write_bytes(flipped(data, first_record(data) + 2 * size + 100, 3)[:-1])
+        journal.write_bytes(flipped(data, first_record(data) + size // 2, 3)[:-1])
         ended = sweep.run(2)
         self.assertEqual(ended.code, 0, ended)
         self.assertIn("2 damaged or torn records of the journal are passed over", ended.err)
@@ -118,9 +119,9 @@ class DamagedJournals(unittest.TestCase):
 
     def test_of_another_version(self):
         sweep = stopped_sweep()
-        for byte, words in ((8, "format"), (16, "other fields"), (40, "physics version")):
+        for byte, bit, words in ((8, 8, "format"), (16, 1, "other fields"), (40, 1, "physics version")):
             data = bytearray(sweep.journal.read_bytes())
-            data[byte] ^= 1
+            data[byte] ^= bit
             data[64:72] = struct.pack("<Q", xxh3(bytes(data[:64])))
             changed = Sweep()
             changed.journal.write_bytes(data)

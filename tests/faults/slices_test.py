@@ -6,11 +6,10 @@ import random
 import shutil
 import signal
 import subprocess
-import time
 import unittest
 
 import h5py
-from sweep_process import MPIEXEC, PROGRAM, Sweep, end_of, ranks_of, spec, xxh3
+from sweep_process import MPIEXEC, PROGRAM, Sweep, end_of, ranks_of, spec, wait_until_gone, xxh3
 
 QUICK = spec(steps=20).replace("[2, 5, 10, 20]", "[2, 3, 5, 8]")  # milliseconds for all rows
 EXTENDED = QUICK.replace("[0.9, 0.8]", "[0.9, 0.85, 0.8]").replace("count = 15", "count = 29")
@@ -120,9 +119,10 @@ class Slices(unittest.TestCase):
         part = Sweep()
         process = part.start(2, "--slice", "1/2")
         part.wait_for_rows(process, 5)
-        os.kill(ranks_of(process)[0], signal.SIGKILL)
+        ranks = ranks_of(process)
+        os.kill(ranks[0], signal.SIGKILL)
         end_of(process)
-        time.sleep(1)
+        wait_until_gone(ranks)  # until then the others may keep rows
         kept = part.journalled()
         self.assertEqual(part.run(0).code, 73)
         ended = part.run(2, "--slice", "1/2")
@@ -171,9 +171,10 @@ class Extend(unittest.TestCase):
                 self.assertEqual(sweep.run(2).code, 73)
                 process = sweep.start(2, "--extend")
                 sweep.wait_for_rows(process, len(old) + 5)
-                os.kill(ranks_of(process)[0], signal.SIGKILL)
+                ranks = ranks_of(process)
+                os.kill(ranks[0], signal.SIGKILL)
                 end_of(process)
-                time.sleep(1)
+                wait_until_gone(ranks)  # until then the others may keep rows
                 kept = sweep.journalled()
                 self.assertLessEqual(old, set(kept.values()))
                 self.assertEqual(sweep.table.exists(), finished)

@@ -137,10 +137,14 @@ class Looking(unittest.TestCase):
         self.assertFalse(json.loads(look(sweep, "show", "--json").stdout)["complete"])
 
     def test_a_journal_that_outlived_the_table_it_is_of(self):
-        sweep, process = self.started(text=spec(steps=2000))
-        os.link(sweep.journal, sweep.path / "kept")
+        sweep, process = self.started(rows=100, text=spec(steps=8000))
+        journals = sweep.journals()
+        self.assertEqual(len(journals), 3)
+        for journal in journals:
+            os.link(journal, f"{journal}-kept")
         self.assertEqual(end_of(process).code, 0)
-        os.rename(sweep.path / "kept", sweep.journal)
+        for journal in journals:
+            os.rename(f"{journal}-kept", journal)
         self.assertEqual(len(sweep.journalled()), 360)
         self.assertEqual(status(sweep)["state"], "complete")
         table = sweep.table.read_bytes()

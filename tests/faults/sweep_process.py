@@ -8,6 +8,7 @@ import ctypes
 import errno
 import os
 import pathlib
+import re
 import shlex
 import signal
 import struct
@@ -117,21 +118,31 @@ class Sweep:
             return table["timings"][()]
 
     def files(self):
-        return sorted(entry.name for entry in self.path.iterdir())
+        """The names in the directory; those of the other ranks' journals as that of rank 0's."""
+        return sorted({re.sub(r"\.journal\.\d+$", ".journal", entry.name) for entry in self.path.iterdir()})
+
+    def journals(self):
+        """The journals of all ranks, that of rank 0 first."""
+        others = [path for path in self.journal.parent.glob(self.journal.name + ".*") if path.suffix[1:].isdigit()]
+        return [path for path in [self.journal, *sorted(others, key=lambda path: int(path.suffix[1:]))] if path.exists()]
 
     def journalled(self):
-        """run_time by row, from the journal. Its header of 72 bytes has the size of a record at byte 12, and at byte 48
-        the size of the sweep's description, which follows the header. A record starts with the row's index and ends
-        with run_time, predicted_time, rank, attempt and checksum."""
-        try:
-            data = self.journal.read_bytes()
-        except FileNotFoundError:
-            return {}
-        size = struct.unpack_from("<I", data, 12)[0]
+        """run_time by row, from the journals. A journal's header of 72 bytes has the size of a record at byte 12, and at
+        byte 48 the size of the sweep's description, which follows the header. A record starts with the row's index and
+        ends with run_time, predicted_time, rank, attempt and checksum. The last attempt counts."""
         rows = {}
-        for start in range(first_record(data), len(data) - size + 1, size):
-            rows[struct.unpack_from("<Q", data, start)[0]] = struct.unpack_from("<d", data, start + size - 32)[0]
-        return rows
+        for journal in self.journals():
+            try:
+                data = journal.read_bytes()
+            except FileNotFoundError:
+                continue
+            size = struct.unpack_from("<I", data, 12)[0]
+            for start in range(first_record(data), len(data) - size + 1, size):
+                row, = struct.unpack_from("<Q", data, start)
+                attempt, = struct.unpack_from("<i", data, start + size - 12)
+                if row not in rows or attempt >= rows[row][0]:
+                    rows[row] = attempt, struct.unpack_from("<d", data, start + size - 32)[0]
+        return {row: run_time for row, (_, run_time) in rows.items()}
 
     def in_flight(self):
         """The run's number, and rank by row that is being computed, from table.h5.running: pages, the first for the run,

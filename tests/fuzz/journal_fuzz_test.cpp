@@ -20,6 +20,11 @@ using samples::bytes_of;
 using samples::put_bytes;
 using samples::row;
 
+/// A row as a journal has it.
+JournalledRow written(std::uint64_t index, std::uint64_t variant = 0) {
+  return samples::journalled(row(index, variant));
+}
+
 constexpr JournalIdentity identity{.spec_hash = 3, .physics_version = 1, .rows = 16};
 
 std::uint64_t seed() {
@@ -82,19 +87,19 @@ TEST(JournalFuzz, NeverCrashesNorInventsARow) {
     std::uint64_t looked_at = 0;  // by a reader without a lock; a damaged description is no reason to lose rows
     try {
       const auto there = read_journal(table);
-      for (const Row& r : there.value().rows) ASSERT_EQ(bits(r), bits(row(r.index)));
+      for (const JournalledRow& r : there.value().rows) ASSERT_EQ(bits(r), bits(written(r.row.index)));
       looked_at = there->rows.size();
     } catch (const IoError&) {
     }
     try {
       const Journal journal(table, identity, false);
       ++accepted;
-      const std::vector<Row> rows = journal.recovered();
+      const std::vector<JournalledRow> rows = journal.recovered();
       found += rows.size();
       ASSERT_LE(looked_at, rows.size());
-      for (const Row& r : rows) {
-        ASSERT_LT(r.index, identity.rows);
-        ASSERT_EQ(bits(r), bits(row(r.index)));
+      for (const JournalledRow& r : rows) {
+        ASSERT_LT(r.row.index, identity.rows);
+        ASSERT_EQ(bits(r), bits(written(r.row.index)));
       }
     } catch (const OutputError&) {
       ++refused;

@@ -21,11 +21,12 @@ std::string journal_of(const std::uint8_t* data, std::size_t size) {
   std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   if (data[0] % 2 == 0) return bytes;
   const JournalHeader header = make_header(identity);
-  const RecordCodec codec(header);
+  const RecordCodec codec(header, record_fields(header, {}).value());
   std::string journal(reinterpret_cast<const char*>(&header), sizeof header);
   for (std::uint64_t i = 0; i < data[0] / 16u; ++i) {
     std::string record(codec.size(), '\0');
-    codec.encode(samples::row(i), i, reinterpret_cast<std::byte*>(record.data()));
+    codec.encode(samples::row(i), content_key(samples::row(i).parameters), i,
+                 reinterpret_cast<std::byte*>(record.data()));
     journal += record;
   }
   return journal + bytes;
@@ -42,10 +43,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const Journal journal(table, identity, false);
     std::uint64_t next = 0;
-    for (const Row& row : journal.recovered()) {
-      if (row.index < next || row.index >= identity.rows) std::abort();
-      if (samples::bits(row) != samples::bits(samples::row(row.index))) std::abort();
-      next = row.index + 1;
+    for (const JournalledRow& row : journal.recovered()) {
+      if (row.row.index < next || row.row.index >= identity.rows) std::abort();
+      if (samples::bits(row) != samples::bits(samples::journalled(samples::row(row.row.index)))) std::abort();
+      next = row.row.index + 1;
     }
   } catch (const OutputError&) {
     if (samples::bytes_of(path) != bytes) std::abort();

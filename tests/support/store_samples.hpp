@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "sigmasweep/model/row.hpp"
+#include "sigmasweep/sweep/content_key.hpp"
+#include "store/journal/record.hpp"
 
 namespace sigmasweep::samples {
 
@@ -127,8 +129,7 @@ inline std::vector<std::uint64_t> parameter_bits(const Row& r) {
   return bits;
 }
 
-inline std::vector<std::uint64_t> bits(const Row& r) {
-  std::vector<std::uint64_t> all = parameter_bits(r);
+inline void add_bits_of_results(const Row& r, std::vector<std::uint64_t>& all) {
   const SimulationResult& c = r.result;
   for (const double x : {c.eps_eff, c.eps_eff_error, c.Er_Ef, c.Er_E0, c.v_cm, c.t_k, c.x_max, r.timing.run_time,
                          r.timing.predicted_time})
@@ -137,8 +138,22 @@ inline std::vector<std::uint64_t> bits(const Row& r) {
        {c.contacts, static_cast<std::uint64_t>(c.end), static_cast<std::uint64_t>(c.status),
         static_cast<std::uint64_t>(r.timing.rank), static_cast<std::uint64_t>(r.timing.attempt)})
     all.push_back(x);
+}
+
+inline std::vector<std::uint64_t> bits(const Row& r) {
+  std::vector<std::uint64_t> all = parameter_bits(r);
+  add_bits_of_results(r, all);
   return all;
 }
+
+/// The same of what a journal has: the content key instead of the parameters.
+inline std::vector<std::uint64_t> bits(const JournalledRow& found) {
+  std::vector<std::uint64_t> all{found.row.index, found.content_key};
+  add_bits_of_results(found.row, all);
+  return all;
+}
+
+inline JournalledRow journalled(const Row& r) { return {r, content_key(r.parameters)}; }
 
 /// The message of the `Kind` of error that `action` throws; a test failure if it throws none or another.
 template <class Kind, class Action>

@@ -101,8 +101,9 @@ int merge(const MergeOptions& options) {
   }
   TableInfo info = first.info;
   info.ranks = 0;
-  std::vector<Row> rows;
-  for (std::uint64_t k = 0; k < sweep.size(); ++k) rows.push_back(ledger.row(k));
+  std::vector<Row> rows(sweep.size());
+  for (std::uint64_t k = 0; k < sweep.size(); ++k) rows[k] = {k, sweep.at(k), {}, {}};
+  for (const Row& row : ledger.journalled()) rows[row.index] = row;
   std::uint64_t slices = 1;
   try {
     for (std::size_t i = 0; i < options.parts.size(); ++i) {

@@ -3,17 +3,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "base/random.hpp"
+#include "engine/ledger/identity.hpp"
 #include "engine/ledger/needs.hpp"
 #include "engine/ledger/reuse.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/model/physics_version.hpp"
 #include "sigmasweep/sweep/content_key.hpp"
 #include "store/stored/stored_sweep.hpp"
 
@@ -34,13 +34,6 @@ std::uint64_t checked_rows(const Sweep& sweep, const Slice& slice) {
   const std::uint64_t rows = slice.size(sweep.size());
   if (const std::string why = why_too_many(sweep, rows); !why.empty()) throw SpecError(why);
   return rows;
-}
-
-/// The identity of the journal; a slice of the sweep has another identity than the sweep.
-JournalIdentity identity_of(const Sweep& sweep, const Slice& slice) {
-  const std::uint64_t hash =
-      slice.is_whole() ? sweep.hash() : random_bits(sweep.hash() ^ random_bits(slice.count, slice.index), 0);
-  return {hash, physics_version, sweep.size()};
 }
 
 /// The table at `path`. Throws OutputError for anything else.
@@ -67,25 +60,27 @@ Ledger::Ledger(const Sweep& sweep, const std::string& table, const LedgerOptions
     : sweep_(sweep),
       slice_(options.slice),
       retry_(options.retry),
-      packed_(sweep.columns(), checked_rows(sweep, slice_)),
-      have_(packed_.size(), false),
+      results_(journalled_results(sweep)),
+      have_(checked_rows(sweep, slice_), false),
       journal_(
-          table, identity_of(sweep, slice_), options.fresh,
+          table, journal_identity(sweep, slice_, results_), options.fresh,
           [&](const auto& old, const auto& theirs) -> std::optional<std::vector<Row>> {
             if (!options.extend && !(theirs && has_same_tuples(sweep, slice_, *theirs))) return std::nullopt;
             return carry(old);
           },
-          options.info, [this](const Row& row) { take_from_journal(row); }) {
+          options.info, [this](const JournalledRow& found) { take_from_journal(found); }) {
   if (journal_.is_locked_by_file())
     remarks_.push_back(
         fmt::format("warning: this file system has no locks; {}.owner keeps other runs away instead", table));
   remark_on_journal();
   const bool begun = journal_.is_there(), beside_a_table = !options.fresh && std::filesystem::exists(table);
+  for (const std::string& passed_over : journal_.passed_over())
+    remarks_.push_back(fmt::format("{}; it is passed over, and its rows are computed again", passed_over));
   if (beside_a_table && begun && there_ == 0)
     remarks_.push_back(fmt::format("{} is older than the fresh start that was begun, and will be replaced", table));
   if (beside_a_table && (!begun || options.extend)) take_table(table, begun, options.extend);
   for (const Source& other : others) take_over(other);
-  if (!table_is_complete_) journal_.begin(new_.size(), [this](std::uint64_t k) { return row(new_[k]); });
+  if (!table_is_complete_) journal_.begin(new_.size(), [this](std::uint64_t k) { return new_[k]; });
   new_ = {};
   kept_ = there_;
 }
@@ -99,7 +94,7 @@ std::vector<Ledger::Source> Ledger::sources(const LedgerOptions& options) {
   return sources;
 }
 
-std::vector<Row> Ledger::carry(const std::vector<Row>& old) {
+std::vector<Row> Ledger::carry(const std::vector<JournalledRow>& old) {
   std::vector<Row> rows = rows_among(old, sweep_, slice_);
   taken_ += rows.size();
   return rows;
@@ -111,21 +106,21 @@ void Ledger::remark_on_journal() {
                                    dropped, dropped == 1 ? "record" : "records", dropped == 1 ? "is" : "are"));
 }
 
-/// The last record of a row counts.
-void Ledger::take_from_journal(const Row& row) {
-  if (!slice_.place(row.index)) return;
-  if (content_key(row.parameters) == content_key(sweep_.at(row.index)))
-    keep_or_retry(row);
+void Ledger::take_from_journal(const JournalledRow& found) {
+  if (!slice_.place(found.row.index)) return;
+  if (found.content_key == content_key(sweep_.at(found.row.index)))
+    keep_or_retry(found.row);
   else
-    attempts_[row.index] = row.timing.attempt;
+    remember_attempt(found.row);
 }
 
 void Ledger::take_table(const std::string& path, bool begun, bool extend) {
   const Table table = table_at(path);
   if (is_of(table, sweep_, slice_)) {
-    if (begun) return;  // the journal is younger
+    if (begun) return;  // the journals are younger
     return take_rows(table, path);
   }
+  if (there_ > 0 && !extend) return;  // so are those of other ranks, where that of rank 0 is missing
   if (!extend && table.info.spec_hash == sweep_.hash())
     refuse(path, "is there already and is the table of another slice of this spec");
   if (!extend)
@@ -145,33 +140,44 @@ void Ledger::take_rows(const Table& table, const std::string& path) {
   table_is_complete_ = is_complete();
   if (table_is_complete_) return;
   if (const std::string why_not = why_other_build(table.info); !why_not.empty()) refuse(path, why_not);
-  for (std::uint64_t k = 0; k < packed_.size(); ++k)
-    if (have_[k]) new_.push_back(k);
+  for (const Row& row : table.rows)
+    if (has(row.index)) new_.push_back({row.index, sweep_.at(row.index), row.result, row.timing});
 }
 
 void Ledger::take_over(const Source& source) {
   if (!source.why_not.empty())
     remarks_.push_back(fmt::format("nothing taken over: {} {}", source.path, source.why_not));
   for (const Row& row : rows_among(source.rows, sweep_, slice_)) {
-    if (have_[*slice_.place(row.index)]) continue;
-    new_.push_back(*slice_.place(row.index));
+    if (has(row.index)) continue;
+    new_.push_back(row);
     keep(row);
     ++taken_;
   }
 }
 
-void Ledger::keep(const Row& row) {
-  const std::uint64_t k = *slice_.place(row.index);
-  packed_.set(k, row);
-  if (!have_[k]) ++there_;
+/// Returns whether the row was missing.
+bool Ledger::mark(std::uint64_t row) {
+  const std::uint64_t k = *slice_.place(row);
+  if (have_[k]) return false;
   have_[k] = true;
+  ++there_;
+  return true;
+}
+
+void Ledger::keep(const Row& row) {
+  if (mark(row.index)) learned_.learn(row.timing);
 }
 
 void Ledger::keep_or_retry(const Row& row) {
   if (!retry_ || is_reproducible(row.result.status))
     keep(row);
   else
-    attempts_[row.index] = row.timing.attempt;
+    remember_attempt(row);
+}
+
+void Ledger::remember_attempt(const Row& row) {
+  std::int32_t& attempt = attempts_[row.index];
+  attempt = std::max(attempt, row.timing.attempt);
 }
 
 void Ledger::for_each_missing(const std::function<void(std::uint64_t row)>& visit) const {
@@ -179,22 +185,21 @@ void Ledger::for_each_missing(const std::function<void(std::uint64_t row)>& visi
     if (!have_[k]) visit(slice_.row(k));
 }
 
-void Ledger::enter(std::span<Row> rows) {
-  for (Row& row : rows) {
-    if (const auto place = slice_.place(row.index); !place || *place >= packed_.size())
+void Ledger::enter(std::span<const RowDone> rows) {
+  for (const RowDone& row : rows) {
+    if (const auto place = slice_.place(row.index); !place || *place >= have_.size())
       throw std::runtime_error(fmt::format("a rank answered with row {}, which is not of this sweep", row.index));
-    const auto tried = attempts_.empty() ? attempts_.end() : attempts_.find(row.index);
-    row.timing.attempt = tried == attempts_.end() ? 1 : tried->second + 1;
+    mark(row.index);
   }
-  journal_.append(rows);
-  for (const Row& row : rows) keep(row);
 }
 
-Row Ledger::row(std::uint64_t place) const {
-  const std::uint64_t index = slice_.row(place);
-  Row row{.index = index, .parameters = sweep_.at(index), .result = {}, .timing = {}};
-  packed_.get(place, row);
-  return row;
+std::vector<Row> Ledger::journalled() const {
+  std::vector<Row> rows;
+  for (const auto& [found, key] : journal_.recovered()) {
+    Row row{.index = found.index, .parameters = sweep_.at(found.index), .result = found.result, .timing = found.timing};
+    if (slice_.place(row.index) && content_key(row.parameters) == key) rows.push_back(row);
+  }
+  return rows;
 }
 
 bool Ledger::has(std::uint64_t row) const {
@@ -206,7 +211,10 @@ void Ledger::quarantine(const Tuple& tuple) {
   if (!slice_.place(tuple.index)) return;
   Row row{.index = tuple.index, .parameters = tuple.parameters, .result = {}, .timing = {}};
   row.result.status = Status::quarantined;
-  enter({&row, 1});
+  const auto tried = attempts_.find(row.index);
+  row.timing.attempt = tried == attempts_.end() ? 1 : tried->second + 1;
+  journal_.append(row);
+  mark(row.index);
   ++kept_;
 }
 

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <vector>
 
+#include "engine/ledger/identity.hpp"
 #include "engine/ledger/usable_memory.hpp"
 #include "model/packing.hpp"
 #include "store/journal/record.hpp"
@@ -13,9 +14,11 @@
 namespace sigmasweep {
 namespace {
 
-constexpr double program_bytes = 80e6;  // the program, MPI and HDF5 with their buffers
-/// For each row: whether it is there, its place in the schedule, and after that the keys and times of the summary.
-constexpr double bookkeeping_bytes = 1.0 + std::max(sizeof(ScheduledTask), 3 * sizeof(double)) + 2 * sizeof(double);
+/// The program, MPI and HDF5 with their buffers; a rank's messages to all others; the piece of the table in hand.
+constexpr double program_bytes = 80e6, exchange_bytes = 64e6, piece_bytes = 256.0 * (1 << 20);
+/// For each row on rank 0: a bit; its place in the schedule; or after that the keys and quantities of the summary.
+constexpr double summary_bytes = 7 * sizeof(double);
+constexpr double bookkeeping_bytes = 0.125 + std::max(double(sizeof(ScheduledTask)), summary_bytes);
 /// Measured on one core of a Zen 5 machine: the start of Open MPI, and what is done for each row before the first.
 constexpr double seconds_to_begin = 0.6, seconds_a_row = 0.5e-6;
 
@@ -25,9 +28,12 @@ double table_bytes(const Sweep& sweep) { return double(packed_size(sweep.columns
 
 SweepNeeds needs_of(const Sweep& sweep, std::uint64_t rows, int ranks) {
   const double count = double(rows), packed = count * table_bytes(sweep);
-  return {.manager_bytes = program_bytes + packed + count * bookkeeping_bytes,
-          .rank_bytes = program_bytes + packed / ranks,
-          .disk_bytes = packed + count * double(make_header({}).record_size) + 2.0 * double(sweep.text().size()),
+  const double rank_bytes = program_bytes + exchange_bytes + std::min(piece_bytes, packed / ranks);
+  const std::vector<Field> results = journalled_results(sweep);
+  const double record = double(make_header(journal_identity(sweep, {}, results)).record_size);
+  return {.manager_bytes = rank_bytes + count * bookkeeping_bytes,
+          .rank_bytes = rank_bytes,
+          .disk_bytes = packed + count * record + (1.0 + ranks) * double(sweep.text().size()),
           .seconds_before = seconds_to_begin + count * seconds_a_row};
 }
 

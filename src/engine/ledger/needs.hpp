@@ -11,7 +11,7 @@ namespace sigmasweep {
 struct SweepNeeds {
   double manager_bytes = 0.0;   ///< memory of rank 0
   double rank_bytes = 0.0;      ///< memory of each other rank
-  double disk_bytes = 0.0;      ///< journal and table, which are there together at the end
+  double disk_bytes = 0.0;      ///< journals and table, which are there together at the end
   double seconds_before = 0.0;  ///< from the start to the first row: MPI begins, times are predicted and sorted
 };
 

@@ -9,11 +9,11 @@
 
 namespace sigmasweep {
 
-std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const Slice& slice) {
-  std::unordered_map<std::uint64_t, const Row*> known;
-  known.reserve(old.size());
-  for (const Row& row : old)
-    if (is_reproducible(row.result.status)) known.emplace(content_key(row.parameters), &row);
+namespace {
+
+using KnownRows = std::unordered_map<std::uint64_t, const Row*>;  ///< by content key
+
+std::vector<Row> rows_among(const KnownRows& known, const Sweep& sweep, const Slice& slice) {
   std::vector<Row> rows;
   for (std::uint64_t k = 0; k < slice.size(sweep.size()); ++k) {
     Row row;
@@ -26,6 +26,24 @@ std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const 
     rows.push_back(row);
   }
   return rows;
+}
+
+}  // namespace
+
+std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const Slice& slice) {
+  KnownRows known;
+  known.reserve(old.size());
+  for (const Row& row : old)
+    if (is_reproducible(row.result.status)) known.emplace(content_key(row.parameters), &row);
+  return rows_among(known, sweep, slice);
+}
+
+std::vector<Row> rows_among(std::span<const JournalledRow> old, const Sweep& sweep, const Slice& slice) {
+  KnownRows known;
+  known.reserve(old.size());
+  for (const auto& [row, key] : old)
+    if (is_reproducible(row.result.status)) known.emplace(key, &row);
+  return rows_among(known, sweep, slice);
 }
 
 bool has_same_tuples(const Sweep& sweep, const Slice& slice, const TableInfo& theirs) {

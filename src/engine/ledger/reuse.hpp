@@ -6,6 +6,7 @@
 
 #include "sigmasweep/model/row.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
+#include "store/journal/record.hpp"
 #include "store/table/table_info.hpp"
 #include "sweep/slice.hpp"
 
@@ -13,6 +14,7 @@ namespace sigmasweep {
 
 /// Those rows of `slice` of the sweep that are among `old` at any place: the same tuple by content_key().
 std::vector<Row> rows_among(std::span<const Row> old, const Sweep& sweep, const Slice& slice);
+std::vector<Row> rows_among(std::span<const JournalledRow> old, const Sweep& sweep, const Slice& slice);
 
 /// Whether the sweep that `theirs` describes has the same tuples in the same order as this slice of the sweep: then
 /// only comments, plots and the like of its spec were edited.

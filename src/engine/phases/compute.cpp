@@ -2,19 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <exception>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "base/duration.hpp"
 #include "engine/compute_batch.hpp"
 #include "engine/distribute/distribute.hpp"
+#include "engine/ledger/identity.hpp"
 #include "engine/phases/give_up.hpp"
 #include "engine/phases/phase.hpp"
 #include "engine/report/progress.hpp"
 #include "engine/report/remarks.hpp"
+#include "engine/rows/row_keeper.hpp"
 #include "mpi/run_collective.hpp"
 #include "sigmasweep/solve/cost.hpp"
+#include "store/journal/names.hpp"
 #include "store/run_notes/run_notes.hpp"
 #include "sweep/schedule.hpp"
 
@@ -38,25 +43,22 @@ Schedule schedule_of(const Ledger& ledger, const Sweep& sweep, int ranks) {
   return Schedule(std::move(tasks), ranks);
 }
 
-/// Takes in the rows that come from the workers. On the manager.
+/// Takes in what the ranks say of the rows that they have kept. On the manager.
 class RowIntake {
  public:
-  RowIntake(const Sweep& sweep, Ledger& ledger, Deadline* deadline, Progress progress, RunNotes& notes)
-      : sweep_(sweep), ledger_(ledger), deadline_(deadline), progress_(std::move(progress)), notes_(notes) {}
+  RowIntake(Ledger& ledger, Deadline* deadline, Progress progress, RunNotes& notes)
+      : ledger_(ledger), deadline_(deadline), progress_(std::move(progress)), notes_(notes) {}
 
-  /// Does not throw: what goes wrong with the journal ends the run, and is thrown by finish().
-  void take(std::span<const SweepAnswer> answers) {
+  /// Does not throw: what goes wrong ends the run, and is thrown by finish().
+  void take(std::span<const RowDone> rows) {
     if (error_) return;
     try {
-      std::vector<Row> rows;
-      rows.reserve(answers.size());
-      for (const auto& [index, result, timing] : answers) rows.push_back({index, sweep_.at(index), result, timing});
       ledger_.enter(rows);
       double predicted = 0.0;
-      for (const Row& row : rows) {
-        work_.add(row);
-        if (deadline_) deadline_->learn(row.timing);
-        predicted += row.timing.predicted_time;
+      for (const RowDone& row : rows) {
+        work_.add(row.run_time);
+        if (deadline_) deadline_->learn({.run_time = row.run_time, .predicted_time = row.predicted_time});
+        predicted += row.predicted_time;
       }
       progress_.add(rows.size(), predicted);
     } catch (...) {
@@ -64,28 +66,21 @@ class RowIntake {
     }
   }
 
-  /// Whether the run cannot go on. Lets the progress bar, the notes and the journal see the time.
+  /// Whether the run cannot go on. Lets the progress bar and the notes see the time.
   bool poll() {
     progress_.add(0, 0.0);
     notes_.tell(progress_.now());
-    try {
-      if (!error_) ledger_.check_journal();
-    } catch (...) {
-      error_ = std::current_exception();
-    }
     return error_ != nullptr;
   }
 
   void finish() {
     progress_.finish();
     if (error_) std::rethrow_exception(error_);
-    ledger_.sync();
   }
 
   const Work& work() const { return work_; }
 
  private:
-  const Sweep& sweep_;
   Ledger& ledger_;
   Deadline* deadline_;
   Progress progress_;
@@ -94,20 +89,35 @@ class RowIntake {
   std::exception_ptr error_;
 };
 
-using SweepJob = Job<SweepTask, SweepAnswer>;
+/// The journal of a rank other than the manager.
+JournalFile journal_of(const World& world, const OpenSweep& open) {
+  const std::vector<Field> results = journalled_results(open.sweep);
+  return {journal_of_rank(open.table, world.rank()), journal_identity(open.sweep, open.slice, results),
+          open.info(world)};
+}
 
-SweepJob sweep_job(const World& world, const Sweep& sweep, BatchComputer& computer, RunNotes& notes,
+using SweepJob = Job<ScheduledTask, RowDone>;
+
+/// Computes a batch and keeps its rows; tells of those that are kept.
+void compute_and_keep(std::span<const ScheduledTask> batch, const std::function<bool()>& should_end,
+                      BatchComputer& computer, RowKeeper& keeper, std::vector<RowDone>& done) {
+  if (keeper.has_failed()) return std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the end is under way
+  std::vector<Row> rows;
+  computer.compute(batch, should_end, rows);
+  if (!keeper.keep(rows)) return;
+  for (const Row& row : rows) done.push_back({row.index, row.timing.run_time, row.timing.predicted_time});
+}
+
+SweepJob sweep_job(const World& world, const Sweep& sweep, BatchComputer& computer, RowKeeper& keeper, RunNotes& notes,
                    const StopRequest& stop, std::optional<RowIntake>& intake) {
   SweepJob job;
-  job.task = [&](std::uint64_t row, double predicted_seconds) {
-    return SweepTask{row, predicted_seconds, sweep.at(row)};
-  };
-  job.batch_size = [&](std::span<const SweepTask> tasks) { return computer.size(tasks); };
-  job.compute_batch = [&](std::span<const SweepTask> batch, const std::function<bool()>& should_end,
-                          std::vector<SweepAnswer>& answers) { computer.compute(batch, should_end, answers); };
-  job.finished = [&](std::span<const SweepAnswer> answers) { intake->take(answers); };
+  job.task = [](std::uint64_t row, double predicted_seconds) { return ScheduledTask{row, predicted_seconds}; };
+  job.batch_size = [&](std::span<const ScheduledTask> tasks) { return computer.size(tasks); };
+  job.compute_batch = [&](std::span<const ScheduledTask> batch, const std::function<bool()>& should_end,
+                          std::vector<RowDone>& done) { compute_and_keep(batch, should_end, computer, keeper, done); };
+  job.finished = [&](std::span<const RowDone> rows) { intake->take(rows); };
   job.stop = [&] {
-    const bool failed = intake && intake->poll();
+    const bool failed = (intake && intake->poll()) || keeper.has_failed();
     if (stop.made()) notes.absolve();
     return failed || stop.made();
   };
@@ -131,10 +141,14 @@ std::string why_stopped(const StopRequest& stop, const Computed& computed, doubl
 Computed compute_rows(const World& world, OpenSweep& open, NotedRun& noted, std::optional<Deadline>& deadline,
                       const StopRequest& stop, const Reporter& reporter) {
   RunNotes& notes = noted.notes();
-  BatchComputer computer(world.rank(), open.sweep.tuple_time_limit(), noted.suspects(), notes);
+  BatchComputer computer(world.rank(), open.sweep.tuple_time_limit(), noted.suspects(), notes,
+                         [&](std::uint64_t row) { return open.sweep.at(row); });
+  std::optional<JournalFile> other_journal;
+  if (!world.is_manager()) other_journal.emplace(journal_of(world, open));
+  RowKeeper keeper(world.is_manager() ? open.ledger->journal() : *other_journal, open.attempts);
   std::optional<Schedule> schedule;
   std::optional<RowIntake> intake;
-  SweepJob job = sweep_job(world, open.sweep, computer, notes, stop, intake);
+  SweepJob job = sweep_job(world, open.sweep, computer, keeper, notes, stop, intake);
   if (deadline) job.max_seconds = [&] { return deadline->max_seconds(); };
   job.silent = [&](const std::vector<SilentRank>& silent) { give_up(silent, open, reporter); };
   on_manager(world, [&] {
@@ -142,7 +156,7 @@ Computed compute_rows(const World& world, OpenSweep& open, NotedRun& noted, std:
     announce(reporter, missing, world.size());
     for (const std::string& remark : remarks_on(open.sweep)) reporter.say(remark);
     schedule.emplace(schedule_of(*open.ledger, open.sweep, job.manager_computes ? world.size() : world.size() - 1));
-    intake.emplace(open.sweep, *open.ledger, deadline ? &*deadline : nullptr,
+    intake.emplace(*open.ledger, deadline ? &*deadline : nullptr,
                    Progress(missing, schedule->total_seconds(), reporter), notes);
   });
   const auto start = std::chrono::steady_clock::now();
@@ -150,10 +164,16 @@ Computed compute_rows(const World& world, OpenSweep& open, NotedRun& noted, std:
   distribute(world, schedule ? &*schedule : nullptr, job);
   Computed computed;
   computed.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  on_manager(world, [&] { intake->finish(); });
+  on_all_ranks(world, [&] {
+    run_collective(world.comm(), [&] {
+      keeper.finish();
+      return std::uint64_t{0};
+    });
+  });
   const std::uint64_t nanoseconds =
       run_collective(world.comm(), [&] { return static_cast<std::uint64_t>(1e9 * computer.computing_seconds()); });
   on_manager(world, [&] {
-    intake->finish();
     computed.work = intake->work();
     computed.work.computing_seconds = 1e-9 * static_cast<double>(nanoseconds);
     computed.is_complete = open.ledger->is_complete();

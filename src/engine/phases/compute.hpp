@@ -17,7 +17,7 @@ struct Computed {
   double wall_seconds = 0.0;  ///< time that the computing took
 };
 
-/// Fourth phase: computes the rows that are missing, on all ranks; each goes to the ledger of `open` as it comes in.
+/// Fourth phase: computes the rows that are missing, on all ranks; each goes to the journal of its rank.
 /// Ends early when `stop` says so on any rank, and begins no row that is not expected to end before `deadline`. Each
 /// rank tells in its notes what it does. Throws OutputError and IoError.
 Computed compute_rows(const World& world, OpenSweep& open, NotedRun& noted, std::optional<Deadline>& deadline,

@@ -32,7 +32,7 @@ std::optional<RunState> state_of(const std::string& table) noexcept {
 
 void give_up(const std::vector<SilentRank>& silent, OpenSweep& open, const Reporter& reporter) {
   try {
-    open.ledger->sync();
+    open.ledger->journal().sync();
   } catch (const Error& error) {
     reporter.warn(error.what());
   }

@@ -40,10 +40,7 @@ std::optional<Deadline> limit_time(const World& world, const OpenSweep& open, st
   LastResort::expect_stop_in(seconds);
   const double crowding = world.crowding();
   if (!world.is_manager()) return std::nullopt;
-  Deadline deadline(stop.end(), crowding);
-  const RowSource rows = open.manager_rows();
-  for (std::uint64_t k = 0; k < rows.size(); ++k) deadline.learn(rows[k].timing);
-  return deadline;
+  return Deadline(stop.end(), crowding, open.ledger->learned());
 }
 
 }  // namespace sigmasweep

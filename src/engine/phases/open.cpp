@@ -3,15 +3,38 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <memory>
+#include <span>
 #include <utility>
 
+#include "engine/distribute/wire.hpp"
 #include "engine/phases/phase.hpp"
 #include "engine/report/provenance.hpp"
 #include "engine/trajectories/trajectories.hpp"
 #include "store/table/place.hpp"
+#include "store/table/read.hpp"
 
 namespace sigmasweep {
 namespace {
+
+using Attempts = std::map<std::uint64_t, std::int32_t>;
+
+/// The manager's attempts on every rank. Collective.
+Attempts broadcast(const World& world, const Attempts& attempts) {
+  wire::Bytes bytes;
+  for (const auto& [row, attempt] : attempts) {
+    wire::append(bytes, row);
+    wire::append(bytes, attempt);
+  }
+  const std::string text = world.broadcast(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  Attempts received;
+  for (auto left = std::as_bytes(std::span(text)); !left.empty();) {
+    std::uint64_t row = 0;
+    wire::take(left, row);
+    wire::take(left, received[row]);
+  }
+  return received;
+}
 
 void report_kept_rows(const Ledger& ledger, const std::string& table, std::uint64_t rows, const Reporter& reporter) {
   for (const std::string& remark : ledger.remarks()) reporter.say(remark);
@@ -24,14 +47,25 @@ void report_kept_rows(const Ledger& ledger, const std::string& table, std::uint6
 
 }  // namespace
 
-RowSource OpenSweep::manager_rows() const {
-  if (!ledger) return {0, {}};
-  return {ledger->packed().size(), [this](std::uint64_t place) { return ledger->row(place); }};
+RowSource OpenSweep::table_rows() const {
+  auto rows = std::make_shared<TableRows>(table);
+  const std::uint64_t size = rows->size();
+  return {size, [this, rows = std::move(rows)](std::uint64_t place) {
+            Row row = (*rows)[place];
+            row.parameters = sweep.at(row.index);
+            return row;
+          }};
+}
+
+TableInfo OpenSweep::info(const World& world) const {
+  TableInfo info = table_info(sweep, start, world.size());
+  info.slice = slice;
+  return info;
 }
 
 OpenSweep open_sweep(const World& world, const RunOptions& options, const Reporter& reporter) {
   const auto steady_start = std::chrono::steady_clock::now();
-  const std::string start = utc_now();
+  std::string start = utc_now();
   const std::string table = options.output.empty() ? default_table(options.spec) : options.output;
   std::optional<Sweep> sweep;
   std::optional<Ledger> ledger;
@@ -54,6 +88,8 @@ OpenSweep open_sweep(const World& world, const RunOptions& options, const Report
   });
   const std::string text = world.broadcast(sweep ? sweep->text() : "");
   if (!sweep) sweep = Sweep::parse(text, options.spec, options.sections);
+  start = world.broadcast(start);
+  auto attempts = broadcast(world, ledger ? ledger->attempts() : Attempts());
   const bool complete = world.broadcast(std::int64_t{ledger && ledger->table_is_complete()}) != 0;
   return OpenSweep{.sweep = *sweep,
                    .table = table,
@@ -63,6 +99,7 @@ OpenSweep open_sweep(const World& world, const RunOptions& options, const Report
                    .start = start,
                    .steady_start = steady_start,
                    .ledger = std::move(ledger),
+                   .attempts = std::move(attempts),
                    .table_is_complete = complete};
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -24,11 +25,14 @@ struct OpenSweep {
   std::string start;                                     ///< when the run began: ISO 8601, UTC
   std::chrono::steady_clock::time_point steady_start{};  ///< the same moment
   std::optional<Ledger> ledger{};                        ///< on the manager
+  std::map<std::uint64_t, std::int32_t> attempts{};      ///< as Ledger::attempts(), on each rank
   bool table_is_complete = false;                        ///< the table has all rows already
 
   std::uint64_t rows() const { return slice.size(sweep.size()); }  ///< to be in the table
-  /// The manager's rows, in spec order; none on other ranks. They are valid as long as this object.
-  RowSource manager_rows() const;
+  /// The rows of the table, once it is there.
+  RowSource table_rows() const;
+  /// What a journal that is made says of this run.
+  TableInfo info(const World& world) const;
   /// How to go on with a run that was stopped.
   const char* restart_hint() const { return fresh ? "run it again without --fresh" : "run it again"; }
 };

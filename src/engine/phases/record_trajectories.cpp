@@ -17,7 +17,9 @@ bool record_trajectories(const World& world, OpenSweep& open, const StopRequest&
     return true;
   }
   TrajectoryCount count;
-  on_all_ranks(world, [&] { count = write_trajectories(world, open.sweep, open.table, open.manager_rows(), stop); });
+  RowSource rows(0, {});
+  on_manager(world, [&] { rows = open.table_rows(); });
+  on_all_ranks(world, [&] { count = write_trajectories(world, open.sweep, open.table, rows, stop); });
   on_manager(world, [&] {
     const std::string where = trajectory_directory(open.table);
     if (count.written == count.wanted)

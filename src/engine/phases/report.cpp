@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -21,21 +22,18 @@ int exit_code_of(const RowSource& rows) {
 }
 
 /// The rows that are there.
-RowSource done(const OpenSweep& open) {
-  const Ledger& ledger = *open.ledger;
-  if (ledger.is_complete()) return open.manager_rows();
-  std::vector<std::uint64_t> places;
-  for (std::uint64_t place = 0; place < ledger.packed().size(); ++place)
-    if (ledger.has(open.slice.row(place))) places.push_back(place);
-  const std::uint64_t count = places.size();
-  return {count, [&ledger, places = std::move(places)](std::uint64_t k) { return ledger.row(places[k]); }};
+RowSource done(const OpenSweep& open, bool table_is_there) {
+  if (table_is_there) return open.table_rows();
+  auto rows = std::make_shared<std::vector<Row>>(open.ledger->journalled());
+  const std::uint64_t count = rows->size();
+  return {count, [rows = std::move(rows)](std::uint64_t k) { return (*rows)[k]; }};
 }
 
 }  // namespace
 
 int report_rows(const World& world, const OpenSweep& open, const Computed& computed, const Reporter& reporter) {
   return run_on_root(world, [&] {
-    const RowSource rows = open.manager_rows();
+    const RowSource rows = open.table_rows();
     reporter.show(fmt::format("{}: {}", open.table, summary(rows, computed.work, world.size(), computed.wall_seconds)));
     return exit_code_of(rows);
   });
@@ -44,14 +42,14 @@ int report_rows(const World& world, const OpenSweep& open, const Computed& compu
 int report_as_json(const World& world, const OpenSweep& open, const Computed& computed, bool finished,
                    const Reporter& reporter) {
   return run_on_root(world, [&] {
-    const RowSource rows = open.manager_rows();
+    const RowSource rows = done(open, open.table_is_complete || computed.is_complete);
     const RunEnd end{.table = open.table,
                      .exit_code = finished ? exit_code_of(rows) : exit_code::stopped,
-                     .total = rows.size(),
+                     .total = open.rows(),
                      .work = computed.work,
                      .ranks = world.size(),
                      .wall_seconds = computed.wall_seconds};
-    reporter.document(summary_json(done(open), end));
+    reporter.document(summary_json(rows, end));
     return end.exit_code;
   });
 }

@@ -4,7 +4,7 @@
 
 namespace sigmasweep {
 
-/// Fifth phase: writes the table from the manager's rows, all ranks together. Throws as write_table().
+/// Fifth phase: writes the table from the journals, all ranks together. Throws as write_table().
 void write_rows(const World& world, const OpenSweep& open);
 
 }  // namespace sigmasweep

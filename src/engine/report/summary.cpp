@@ -165,10 +165,10 @@ std::vector<std::pair<std::string_view, std::uint64_t>> count_by_status(const Ro
 
 double least_seconds(const Work& work, int ranks) { return std::max(work.cpu_seconds / ranks, work.longest_seconds); }
 
-void Work::add(const Row& row) {
+void Work::add(double run_time) {
   ++rows;
-  cpu_seconds += row.timing.run_time;
-  longest_seconds = std::max(longest_seconds, row.timing.run_time);
+  cpu_seconds += run_time;
+  longest_seconds = std::max(longest_seconds, run_time);
 }
 
 std::string summary(const RowSource& rows, const Work& work, int ranks, double wall_seconds) {
@@ -177,7 +177,7 @@ std::string summary(const RowSource& rows, const Work& work, int ranks, double w
 
 std::string summary(const RowSource& rows, int ranks, double wall_seconds) {
   Work work;
-  for (std::uint64_t k = 0; k < rows.size(); ++k) work.add(rows[k]);
+  for (std::uint64_t k = 0; k < rows.size(); ++k) work.add(rows[k].timing.run_time);
   return summary(rows, work, ranks, wall_seconds);
 }
 

@@ -26,7 +26,7 @@ struct Work {
   std::uint64_t rows = 0;
   double cpu_seconds = 0.0, longest_seconds = 0.0;
   double computing_seconds = 0.0;  ///< time by the clock that all ranks together spent on rows; 0: not known
-  void add(const Row& row);
+  void add(double run_time);       ///< of a row, s
 };
 
 /// The smallest value that half of the rows, 90 %, 99 % and all of them do not exceed, of the field `name`; rows

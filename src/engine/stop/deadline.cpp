@@ -11,15 +11,15 @@ constexpr double min_ratio = 0.2;  // however pessimistic the cost model was so 
 
 }  // namespace
 
-void Deadline::learn(const Timing& row) {
+void CostFactor::learn(const Timing& row) {
   if (!(row.predicted_time > 0.0) || !(row.run_time > 0.0)) return;
   const double ratio = std::max(row.run_time / row.predicted_time, min_ratio);
   weight_[static_cast<int>(std::ceil(std::log(ratio) / std::log1p(step)))] += row.predicted_time;
   total_ += row.predicted_time;
-  if (total_ > 1.02 * total_at_update_) update_factor();  // rows by the hundred thousand change little each
+  if (total_ > 1.02 * total_at_update_) update();  // rows by the hundred thousand change little each
 }
 
-void Deadline::update_factor() {
+void CostFactor::update() {
   total_at_update_ = total_;
   double above = 0.0;
   for (auto it = weight_.rbegin(); it != weight_.rend(); ++it) {

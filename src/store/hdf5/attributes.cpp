@@ -41,6 +41,14 @@ void write_text(hid_t object, const std::string& name, const std::string& text) 
   write(object, name, text_type(), &characters);
 }
 
+void replace_text(hid_t object, const std::string& name, const std::string& text) {
+  const std::string what = "cannot write attribute " + name;
+  const char* characters = text.c_str();
+  Handle attribute = open(object, name, H5T_STRING);
+  check(H5Awrite(attribute, text_type(), &characters), what);
+  attribute.close(what);
+}
+
 void write_number(hid_t object, const std::string& name, std::uint64_t number) {
   write(object, name, H5T_NATIVE_UINT64, &number);
 }

@@ -9,6 +9,8 @@
 namespace sigmasweep {
 
 void write_text(hid_t object, const std::string& name, const std::string& text);
+/// Replaces the value of an attribute that write_text() made. Throws IoError.
+void replace_text(hid_t object, const std::string& name, const std::string& text);
 void write_number(hid_t object, const std::string& name, std::uint64_t number);
 
 std::string read_text(hid_t object, const std::string& name);

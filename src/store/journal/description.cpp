@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -10,24 +11,28 @@
 
 namespace sigmasweep {
 
-std::string description_of(const TableInfo& info) {
+std::string description_of(const JournalDescription& description) {
   using json = nlohmann::ordered_json;
-  const json document = {{"title", info.title},
-                         {"start", info.start},
-                         {"host", info.host},
-                         {"ranks", info.ranks},
-                         {"slice", {info.slice.index, info.slice.count}},
-                         {"physics_version", physics_version},
-                         {"build", build_name()},
-                         {"spec_hash", info.spec_hash},
-                         {"spec", info.spec_text}};
+  const TableInfo& info = description.info;
+  json document = {{"title", info.title},
+                   {"start", info.start},
+                   {"host", info.host},
+                   {"ranks", info.ranks},
+                   {"slice", {info.slice.index, info.slice.count}},
+                   {"physics_version", physics_version},
+                   {"build", build_name()},
+                   {"results", json::array()},
+                   {"spec_hash", info.spec_hash},
+                   {"spec", info.spec_text}};
+  for (const Field& field : description.results) document["results"].push_back(field.name);
   return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-std::optional<TableInfo> parse_description(std::string_view text) {
+std::optional<JournalDescription> parse_description(std::string_view text) {
   try {
     const auto document = nlohmann::json::parse(text);
-    TableInfo info;
+    JournalDescription description;
+    TableInfo& info = description.info;
     document.at("title").get_to(info.title);
     document.at("start").get_to(info.start);
     document.at("host").get_to(info.host);
@@ -39,7 +44,13 @@ std::optional<TableInfo> parse_description(std::string_view text) {
     document.at("spec_hash").get_to(info.spec_hash);
     document.at("spec").get_to(info.spec_text);
     if (info.slice.index >= info.slice.count) return std::nullopt;
-    return info;
+    if (!document.contains("results")) return description;  // format 2
+    for (const std::string& name : document.at("results").get<std::vector<std::string>>()) {
+      const auto field = std::ranges::find(result_fields(), name, &Field::name);
+      if (field == result_fields().end()) return std::nullopt;
+      description.results.push_back(*field);
+    }
+    return description;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }

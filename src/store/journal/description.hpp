@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/file.hpp"
 #include "store/journal/record.hpp"
@@ -12,11 +13,17 @@
 /// programs that read a journal without the spec.
 namespace sigmasweep {
 
-/// The sweep's description as text. The build and the physics version are this program's.
-std::string description_of(const TableInfo& info);
+/// What a description says.
+struct JournalDescription {
+  TableInfo info;
+  std::vector<Field> results;  ///< that a record has; empty: all that this program knows
+};
 
-/// What a description says; nothing if it is not a description.
-std::optional<TableInfo> parse_description(std::string_view text);
+/// The description as text. The build and the physics version are this program's.
+std::string description_of(const JournalDescription& description);
+
+/// Nothing if the text is not a description, or has results that this program does not know.
+std::optional<JournalDescription> parse_description(std::string_view text);
 
 /// The text between the header and the first record; nothing if it is not the one that the header tells. Throws
 /// IoError.

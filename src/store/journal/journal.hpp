@@ -8,49 +8,47 @@
 #include <string>
 #include <vector>
 
-#include "sigmasweep/model/row.hpp"
+#include "store/journal/file.hpp"
+#include "store/journal/recover.hpp"
 #include "store/table/table_info.hpp"
 
 namespace sigmasweep {
 
-/// The sweep that a journal belongs to. A journal of another identity is never used and never overwritten silently.
-struct JournalIdentity {
-  std::uint64_t spec_hash = 0;
-  std::uint32_t physics_version = 0;
-  std::uint64_t rows = 0;
-};
-
-/// The record of a sweep while it runs: an append-only file of fixed-size, checksummed records beside the table
-/// (TABLE.h5.journal). Only the manager writes it.
+/// The record of a sweep while it runs: journals beside the table, one of each rank (names.hpp). This object is the
+/// manager's. It has the lock, reads the journals of all ranks when it opens, and writes that of rank 0.
+///
+/// The journals are one set, whatever the number of ranks that wrote them: a row counts wherever it stands. One that is
+/// missing or damaged costs its rows only.
 class Journal {
  public:
-  /// Opens the journal that is there. Before anything else is opened, an exclusive fcntl lock is taken on TABLE.h5.lock
-  /// and held for the lifetime of the object.
+  /// Opens the journals that are there. Before anything else is opened, an exclusive fcntl lock is taken on
+  /// TABLE.h5.lock and held for the lifetime of the object.
   ///
-  /// `fresh` replaces a journal by an empty one at once. Otherwise a journal of this identity is continued: a torn tail
-  /// (from a kill or a full disk) is cut off, damaged records before it are passed over. If there is no journal,
-  /// begin() or the first append() makes it.
+  /// `fresh` replaces the journals by an empty one at once. Otherwise journals of this identity are continued: a torn
+  /// tail (from a kill or a full disk) is cut off, damaged records before it are passed over. If there is none, begin()
+  /// or the first append() makes it. Journals of format 2 are rewritten in the present one.
   ///
-  /// A journal of another spec, but of the same physics version and build, is offered to `carry`: it gets the journal's
-  /// rows, and what the journal says of its sweep if that can be read. carry() returns the rows that this sweep takes
-  /// over, with their place in it, or nothing to have the journal refused. A journal that begins with these rows then
-  /// replaces the old one; until then the old one is left as it is.
+  /// Journals of another spec, but of the same physics version and build, are offered to `carry`: it gets their rows,
+  /// and what rank 0's journal says of its sweep if that can be read. carry() returns the rows that this sweep takes
+  /// over, with their place in it, or nothing to have the journals refused. A journal that begins with these rows then
+  /// replaces the old ones; until then they are left as they are.
   ///
   /// Throws OutputError if another process holds the lock, if the file cannot be created, or if it is foreign or of
   /// another spec, physics version or number of rows; then the file is left as it is and the message says how to go on.
-  /// Throws IoError if reading or writing fails.
+  /// Journals of other ranks do so only where rank 0's is missing; beside it they are passed over, as is rank 0's where
+  /// its header is damaged. Throws IoError if reading or writing fails.
   ///
   /// A journal that is made begins with `info`, for those who read it without the spec (read_journal()).
-  using Carry = std::function<std::optional<std::vector<Row>>(const std::vector<Row>& old,
+  using Carry = std::function<std::optional<std::vector<Row>>(const std::vector<JournalledRow>& old,
                                                               const std::optional<TableInfo>& theirs)>;
   ///
-  /// Each good record that is there is handed to `visit`, in the order in which they were written: of several records
-  /// of an index the last one counts. Every index is below the identity's rows. The caller must compare the parameters
-  /// of a row with those of the spec.
-  using Visit = std::function<void(const Row&)>;
+  /// Each good record that is there is handed to `visit`, in the order in which they were written in each journal; of
+  /// several records of an index one counts (counts_more()). Every index is below the identity's rows. The caller must
+  /// compare the content key of a row with that of the spec's.
+  using Visit = RecordReader::Visit;
   Journal(
       const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry = {},
-      const TableInfo& info = {}, const Visit& visit = [](const Row&) {});
+      const TableInfo& info = {}, const Visit& visit = [](const JournalledRow&) {});
   /// Syncs if possible, without an error if not, and releases the lock.
   ~Journal();
   Journal(Journal&&) noexcept;
@@ -58,29 +56,27 @@ class Journal {
 
   /// Whether the file system has no locks, so that a file of another kind keeps other runs away.
   bool is_locked_by_file() const;
-  /// Whether there is a file. An empty journal belongs to a run that was begun.
+  /// Whether there is a journal of rank 0. An empty one belongs to a run that was begun.
   bool is_there() const;
   /// Makes a journal of `count` rows, or appends them to the journal that is there. Throws OutputError, IoError.
-  using RowOf = std::function<Row(std::uint64_t k)>;
+  using RowOf = JournalFile::RowOf;
   void begin(std::uint64_t count, const RowOf& row);
 
-  /// The rows that are in the file, each index once (the last good record), in order of index. It is read again.
-  std::vector<Row> recovered() const;
+  /// The rows that are in the journals, each index once, in order of index. They are read again.
+  std::vector<JournalledRow> recovered() const;
   /// Number of records that were found damaged or torn when it was opened. Their rows must be computed again.
   std::uint64_t dropped() const;
+  /// Journals that were passed over, and why.
+  const std::vector<std::string>& passed_over() const;
 
-  /// Writes the records at once, in one write, so that a killed process loses nothing. A thread brings them to the disk
-  /// about a second later, so that a machine that loses its power loses the rows of the last second or two. Throws
-  /// IoError naming the file and the cause (disk full); the journal then ends with its last whole record and can be
-  /// continued. After a failed sync it stays failed: the content of the disk is unknown until the journal is opened
-  /// again.
-  void append(std::span<const Row> rows);
+  /// The journal of rank 0, to append to; it is made if it is not there. Throws OutputError.
+  JournalFile& file();
+  void append(std::span<const Row> rows) { file().append(rows); }
   void append(const Row& row) { append({&row, 1}); }
-  /// Brings all appended rows to the disk. Throws IoError.
+  /// As JournalFile::sync().
   void sync();
-  /// Throws IoError if nothing can be appended any more: a sync failed meanwhile.
-  void check() const;
-  /// Removes the journal, once the table is complete and checked. Nothing can be appended afterwards; the lock stays.
+  /// Removes the journals of all ranks, once the table is complete and checked. Nothing can be appended afterwards; the
+  /// lock stays. That of rank 0 goes first: without it the others say nothing where a complete table is.
   void remove();
 
  private:

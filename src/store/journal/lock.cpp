@@ -36,6 +36,11 @@ bool has_no_locks(int error) {
 
 }  // namespace
 
+bool lock_whole_file(const File& file) {
+  struct flock lock = whole_file();
+  return ::fcntl(file.fd(), F_SETLK, &lock) == 0 || has_no_locks(errno);
+}
+
 TableLock::TableLock(const std::string& table_path) : path_(beside(table_path, ".lock")) {
   for (;;) {
     file_ = File(path_, O_RDWR | O_CREAT | O_NOFOLLOW);

@@ -8,7 +8,11 @@
 
 namespace sigmasweep {
 
-/// The right to write TABLE.h5 and its journal: an exclusive fcntl lock on TABLE.h5.lock, held for the lifetime of the
+/// Takes an exclusive lock on an open file, which lasts until this process closes any descriptor of that file. True as
+/// well where the file system has no locks; false while another process has it, or if that is not known.
+bool lock_whole_file(const File& file);
+
+/// The right to write TABLE.h5 and its journals: an exclusive fcntl lock on TABLE.h5.lock, held for the lifetime of the
 /// object. The system releases it when the process dies, however that happens. It excludes other processes, not other
 /// objects of the same process. On a file system without locks TABLE.h5.owner takes its place (owner_file.hpp).
 class TableLock {

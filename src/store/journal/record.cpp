@@ -5,11 +5,11 @@
 
 #include <cstddef>
 #include <cstring>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "model/packing.hpp"
-#include "sigmasweep/sweep/content_key.hpp"
-#include "sigmasweep/sweep/sweep.hpp"
 #include "store/build_info.hpp"
 
 namespace sigmasweep {
@@ -21,11 +21,14 @@ constexpr std::uint64_t max_description_size = 1 << 28;  // a spec of 4 MiB, eac
 
 static_assert(std::has_unique_object_representations_v<JournalHeader>);
 
-/// All fields of a row besides its index.
-std::vector<Field> record_fields() {
+/// All fields of a record of this format besides index and content key.
+std::vector<Field> fields_of(std::uint32_t format_version, std::span<const Field> results) {
   std::vector<Field> fields;
-  for (const auto list : {parameter_fields(), result_fields(), timing_fields()})
-    fields.insert(fields.end(), list.begin(), list.end());
+  const auto add = [&](std::span<const Field> list) { fields.insert(fields.end(), list.begin(), list.end()); };
+  const bool has_all = format_version == journal_format_with_parameters;
+  if (has_all) add(parameter_fields());
+  add(has_all || results.empty() ? result_fields() : results);
+  add(timing_fields());
   return fields;
 }
 
@@ -45,6 +48,8 @@ std::uint64_t checksum_of(const JournalHeader& header) {
   return XXH3_64bits(&header, offsetof(JournalHeader, checksum));
 }
 
+constexpr const char* other_fields = "is a journal of another version of sigmasweep (its rows hold other fields)";
+
 std::uint32_t build_hash() {
   const std::string build = build_name();
   return static_cast<std::uint32_t>(XXH3_64bits(build.data(), build.size()));
@@ -53,7 +58,7 @@ std::uint32_t build_hash() {
 }  // namespace
 
 JournalHeader make_header(const JournalIdentity& identity, std::string_view description) {
-  const std::vector<Field> fields = record_fields();
+  const std::vector<Field> fields = fields_of(journal_format_version, identity.results);
   JournalHeader header;
   header.magic = magic;
   header.format_version = journal_format_version;
@@ -76,16 +81,27 @@ bool is_description_of(const JournalHeader& header, std::string_view description
          XXH3_64bits(description.data(), description.size()) == header.description_checksum;
 }
 
+bool is_ours(const JournalHeader& found, std::size_t size) { return size >= sizeof found && found.magic == magic; }
+
+bool is_of_same_sweep(const JournalHeader& a, const JournalHeader& b) {
+  return std::tie(a.spec_hash, a.rows, a.physics_version, a.build) ==
+         std::tie(b.spec_hash, b.rows, b.physics_version, b.build);
+}
+
+std::optional<std::vector<Field>> record_fields(const JournalHeader& header, std::span<const Field> results) {
+  std::vector<Field> fields = fields_of(header.format_version, results);
+  if (header.record_size != record_size(fields) || header.layout != layout_of(fields)) return std::nullopt;
+  return fields;
+}
+
 std::string why_unreadable(const JournalHeader& found, std::size_t size) {
-  const JournalHeader wanted = make_header({});
-  if (size < sizeof found || found.magic != wanted.magic) return "is not a journal of sigmasweep";
-  if (found.format_version != wanted.format_version)
-    return fmt::format("is a journal of another version of sigmasweep (format {}, this one reads {})",
-                       found.format_version, wanted.format_version);
+  if (!is_ours(found, size)) return "is not a journal of sigmasweep";
+  if (found.format_version != journal_format_version && found.format_version != journal_format_with_parameters)
+    return fmt::format("is a journal of another version of sigmasweep (format {}, this one reads {} and {})",
+                       found.format_version, journal_format_with_parameters, journal_format_version);
   if (found.checksum != checksum_of(found) || found.description_size > max_description_size)
     return "is a journal with a damaged header";
-  if (found.record_size != wanted.record_size || found.layout != wanted.layout)
-    return "is a journal of another version of sigmasweep (its rows hold other fields)";
+  if (found.format_version == journal_format_with_parameters && !record_fields(found, {})) return other_fields;
   return {};
 }
 
@@ -104,15 +120,14 @@ std::string why_unusable(const JournalHeader& found, std::size_t size, const Jou
   return {};
 }
 
-RecordCodec::RecordCodec(const JournalHeader& header)
-    : fields_(record_fields()), size_(record_size(fields_)), seed_(header.checksum), rows_(header.rows) {}
+RecordCodec::RecordCodec(const JournalHeader& header, std::vector<Field> fields)
+    : fields_(std::move(fields)), size_(record_size(fields_)), seed_(header.checksum), rows_(header.rows) {}
 
 std::uint64_t RecordCodec::checksum(const std::byte* record, std::uint64_t number) const {
   return XXH3_64bits_withSeed(record, size_ - sizeof(std::uint64_t), seed_ + number);
 }
 
-void RecordCodec::encode(const Row& row, std::uint64_t number, std::byte* record) const {
-  const std::uint64_t key = content_key(row.parameters);
+void RecordCodec::encode(const Row& row, std::uint64_t key, std::uint64_t number, std::byte* record) const {
   std::memcpy(record, &row.index, sizeof row.index);
   std::memcpy(record + sizeof row.index, &key, sizeof key);
   pack(fields_, row, record + sizeof row.index + sizeof key);
@@ -120,16 +135,23 @@ void RecordCodec::encode(const Row& row, std::uint64_t number, std::byte* record
   std::memcpy(record + size_ - sizeof sum, &sum, sizeof sum);
 }
 
-std::optional<Row> RecordCodec::decode(const std::byte* record, std::uint64_t number) const {
-  std::uint64_t sum = 0, key = 0;
+std::uint64_t RecordCodec::index_of(const std::byte* record) {
+  std::uint64_t index = 0;
+  std::memcpy(&index, record, sizeof index);
+  return index;
+}
+
+std::optional<JournalledRow> RecordCodec::decode(const std::byte* record, std::uint64_t number) const {
+  std::uint64_t sum = 0;
   std::memcpy(&sum, record + size_ - sizeof sum, sizeof sum);
   if (sum != checksum(record, number)) return std::nullopt;
-  Row row;
-  std::memcpy(&row.index, record, sizeof row.index);
-  std::memcpy(&key, record + sizeof row.index, sizeof key);
-  if (row.index >= rows_ || !unpack(fields_, record + sizeof row.index + sizeof key, row)) return std::nullopt;
-  if (key != content_key(row.parameters)) return std::nullopt;
-  return row;
+  JournalledRow found;
+  found.row.index = index_of(record);
+  std::memcpy(&found.content_key, record + sizeof found.row.index, sizeof found.content_key);
+  if (found.row.index >= rows_) return std::nullopt;
+  if (!unpack(fields_, record + sizeof found.row.index + sizeof found.content_key, found.row)) return std::nullopt;
+  found.row.parameters = {};
+  return found;
 }
 
 }  // namespace sigmasweep

@@ -1,51 +1,56 @@
 #include "store/journal/recover.hpp"
 
 #include <algorithm>
-#include <cstddef>
+#include <utility>
 
 namespace sigmasweep {
 namespace {
 
-/// Keeps one row of each index, the last one, in order of index.
-void keep_last_of_each_index(std::vector<Row>& rows) {
-  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.index < b.index; });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (i + 1 == rows.size() || rows[i + 1].index != rows[i].index) rows[kept++] = rows[i];
-  rows.resize(kept);
-}
+constexpr std::size_t records_at_a_time = 4096;
 
 }  // namespace
 
-RecoveredRecords recover_records(const File& file, const std::string& path, const JournalHeader& header,
-                                 const std::function<void(const Row&)>& visit) {
-  const RecordCodec codec(header);
-  const std::size_t record_size = codec.size();
-  RecoveredRecords recovered;
-  std::vector<std::byte> chunk(4096 * record_size);
-  std::uint64_t number = 0;  // of the record in the file
-  std::size_t got = 0;
-  do {
-    got = read_at(file.fd(), chunk, first_record(header) + number * record_size, path);
-    const std::size_t whole = got / record_size;
-    for (std::size_t i = 0; i < whole; ++i, ++number) {
-      if (const auto row = codec.decode(chunk.data() + i * record_size, number)) {
-        visit(*row);
-        recovered.records = number + 1;
-      } else {
-        ++recovered.dropped;
-      }
+RecordReader::RecordReader(const File& file, std::string path, const JournalHeader& header, std::vector<Field> fields)
+    : file_(file),
+      path_(std::move(path)),
+      first_(first_record(header)),
+      codec_(header, std::move(fields)),
+      chunk_(records_at_a_time * codec_.size()) {}
+
+bool RecordReader::read_some(const Visit& visit, const IsWanted& is_wanted) {
+  const std::size_t size = codec_.size();
+  const std::size_t got = read_at(file_.fd(), chunk_, first_ + number_ * size, path_);
+  const std::size_t whole = got / size;
+  for (std::size_t i = 0; i < whole; ++i, ++number_) {
+    const std::byte* const record = chunk_.data() + i * size;
+    if (is_wanted && !is_wanted(RecordCodec::index_of(record))) continue;
+    if (const auto row = codec_.decode(record, number_)) {
+      visit(*row);
+      records_ = number_ + 1;
+    } else {
+      ++dropped_;
     }
-    if (got % record_size != 0) ++recovered.dropped;
-  } while (got == chunk.size());
-  return recovered;
+  }
+  if (got % size != 0) ++dropped_;
+  return got == chunk_.size();
 }
 
-std::vector<Row> recover_rows(const File& file, const std::string& path, const JournalHeader& header) {
-  std::vector<Row> rows;
-  recover_records(file, path, header, [&](const Row& row) { rows.push_back(row); });
-  keep_last_of_each_index(rows);
-  return rows;
+bool counts_more(const Row& a, const Row& b) {
+  if (a.timing.attempt != b.timing.attempt) return a.timing.attempt > b.timing.attempt;
+  return is_reproducible(a.result.status) && !is_reproducible(b.result.status);
+}
+
+void keep_one_of_each_index(std::vector<JournalledRow>& rows) {
+  const auto index = [](const JournalledRow& found) { return found.row.index; };
+  std::ranges::stable_sort(rows, {}, index);
+  std::size_t kept = 0;
+  for (const JournalledRow& found : rows) {
+    if (kept == 0 || index(rows[kept - 1]) != index(found))
+      rows[kept++] = found;
+    else if (!counts_more(rows[kept - 1].row, found.row))
+      rows[kept - 1] = found;
+  }
+  rows.resize(kept);
 }
 
 }  // namespace sigmasweep

@@ -1,28 +1,47 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "base/file.hpp"
-#include "sigmasweep/model/row.hpp"
 #include "store/journal/record.hpp"
 
 namespace sigmasweep {
 
-/// The records of a journal.
-struct RecoveredRecords {
-  std::uint64_t records = 0;  ///< one past the last good record
-  std::uint64_t dropped = 0;  ///< damaged and torn records
+/// Reads the records of a journal from the first to the last, some thousands at a time, so that memory is bounded.
+/// Another process may append at the same moment: a record that is not whole yet is passed over as a torn one.
+class RecordReader {
+ public:
+  using Visit = std::function<void(const JournalledRow&)>;
+  using IsWanted = std::function<bool(std::uint64_t index)>;
+
+  /// The file must outlive the object.
+  RecordReader(const File& file, std::string path, const JournalHeader& header, std::vector<Field> fields);
+  /// Hands on the good ones of the next records in their order; of unwanted ones nothing is looked at but their index.
+  /// Returns false when there are no further records. Throws IoError.
+  bool read_some(const Visit& visit, const IsWanted& is_wanted = {});
+
+  std::uint64_t records() const { return records_; }  ///< one past the last good record
+  std::uint64_t dropped() const { return dropped_; }  ///< number of damaged and torn records
+
+ private:
+  const File& file_;
+  std::string path_;
+  std::uint64_t first_;
+  RecordCodec codec_;
+  std::vector<std::byte> chunk_;
+  std::uint64_t number_ = 0;  ///< of the next record in the file
+  std::uint64_t records_ = 0, dropped_ = 0;
 };
 
-/// Reads the records of a journal, a bounded number at a time, and hands on the good ones in their order. Another
-/// process may append at the same moment: a record that is not whole yet is passed over as a torn one. Throws IoError.
-RecoveredRecords recover_records(const File& file, const std::string& path, const JournalHeader& header,
-                                 const std::function<void(const Row&)>& visit);
+/// Whether `a` counts, where both are records of one row and `b` was found later. The last attempt does; of two copies
+/// of one attempt the one with a result that every computation has, otherwise the later.
+bool counts_more(const Row& a, const Row& b);
 
-/// Its rows, each index once (the last good record), in order of index.
-std::vector<Row> recover_rows(const File& file, const std::string& path, const JournalHeader& header);
+/// Keeps of each index the row that counts, in order of index.
+void keep_one_of_each_index(std::vector<JournalledRow>& rows);
 
 }  // namespace sigmasweep

@@ -16,10 +16,10 @@ StoredRows finished(Table table) {
   return stored;
 }
 
-/// The table that a run wrote whose journal, with all rows, is still there; nothing if the table is of another sweep or
-/// not there.
+/// The table that a run wrote whose journals are still there, with all rows or without that of rank 0; nothing if the
+/// table is of another sweep or not there.
 std::optional<Table> table_of(const JournalledRows& journal, const std::string& path) {
-  if (journal.rows.size() < journal.total) return std::nullopt;
+  if (journal.has_first && journal.rows.size() < journal.total) return std::nullopt;
   try {
     Table table = read_table(path);
     if (table.info.spec_hash != journal.info.spec_hash || table.info.slice != journal.info.slice) return std::nullopt;
@@ -39,7 +39,10 @@ StoredRows read_stored_rows(const std::string& path) {
   stored.total = journal->total;
   stored.complete = false;
   stored.table.info = std::move(journal->info);
-  stored.table.rows = std::move(journal->rows);
+  for (const auto& [row, content_key] : journal->rows) {
+    stored.table.rows.push_back(row);
+    stored.content_keys.push_back(content_key);
+  }
   return stored;
 }
 

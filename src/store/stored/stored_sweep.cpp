@@ -18,6 +18,19 @@ namespace sigmasweep {
 
 namespace {
 
+/// Gives the rows of journals the parameters that the spec has for them. Rows that had others, of a program with other
+/// defaults, are left out.
+void take_parameters_of_spec(StoredSweep& stored) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < stored.table.rows.size(); ++k) {
+    Row row = stored.table.rows[k];
+    row.parameters = stored.sweep->at(row.index);
+    if (content_key(row.parameters) == stored.content_keys[k]) stored.table.rows[kept++] = row;
+  }
+  stored.table.rows.resize(kept);
+  stored.content_keys.clear();
+}
+
 /// Adds the sweep to the rows, and to each row the parameters that it has from the spec.
 StoredSweep with_sweep(StoredRows rows_of_it, const std::string& path) {
   StoredSweep stored{std::move(rows_of_it), std::nullopt};
@@ -36,9 +49,8 @@ StoredSweep with_sweep(StoredRows rows_of_it, const std::string& path) {
   auto& rows = stored.table.rows;
   if (!stored.complete) {
     stored.table.columns = stored.sweep->columns();
-    std::erase_if(rows, [&](const Row& row) {  // of a program whose parameters have other defaults
-      return content_key(row.parameters) != content_key(stored.sweep->at(row.index));
-    });
+    take_parameters_of_spec(stored);
+    return stored;
   }
   if (!has_axes_of(*stored.sweep, rows)) {
     stored.sweep.reset();

@@ -89,6 +89,10 @@ void write_checksum(hid_t dataset, std::uint64_t checksum) {
   write_text(dataset, "checksum", fmt::format("{:016x}", checksum));
 }
 
+void replace_checksum(hid_t dataset, std::uint64_t checksum) {
+  replace_text(dataset, "checksum", fmt::format("{:016x}", checksum));
+}
+
 std::uint64_t read_checksum(hid_t dataset) { return parse_hexadecimal(read_text(dataset, "checksum"), "checksum"); }
 
 std::uint64_t parse_hexadecimal(const std::string& text, const char* attribute) {

@@ -23,8 +23,9 @@ std::uint64_t checksum_of_rows(std::span<const std::byte> rows, std::size_t row_
 /// Checksum of rows first, ..., first + rows - 1 of a one-dimensional dataset. Throws IoError.
 std::uint64_t checksum_of_stored_rows(hid_t dataset, std::uint64_t first, std::uint64_t rows);
 
-/// Write and read the attribute. Throw IoError.
+/// Make the attribute, change it and read it. Throw IoError.
 void write_checksum(hid_t dataset, std::uint64_t checksum);
+void replace_checksum(hid_t dataset, std::uint64_t checksum);
 std::uint64_t read_checksum(hid_t dataset);
 
 /// A number of 16 hexadecimal digits; throws IoError naming `attribute`.

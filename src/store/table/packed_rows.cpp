@@ -1,6 +1,7 @@
 #include "store/table/packed_rows.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "model/packing.hpp"
 
@@ -39,5 +40,12 @@ PackedBlock::PackedBlock(std::uint64_t first_place, const PackedRows& packed, st
   for (std::size_t i = 0; const PackedRows::Section* section : {&packed.results(), &packed.timings()})
     sections[i++] = std::span(section->bytes).first(count * section->row_size);
 }
+
+BlockInPieces::BlockInPieces(std::uint64_t first_place, std::uint64_t count, std::uint64_t number_of_pieces,
+                             std::function<PackedBlock()> next_piece)
+    : first(first_place), rows(count), pieces(number_of_pieces), next(std::move(next_piece)) {}
+
+BlockInPieces::BlockInPieces(const PackedBlock& whole)
+    : BlockInPieces(whole.first, whole.rows, 1, [whole] { return whole; }) {}
 
 }  // namespace sigmasweep

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -53,6 +54,19 @@ struct PackedBlock {
 
   /// The first so many of the packed rows.
   PackedBlock(std::uint64_t first, const PackedRows& packed, std::uint64_t rows);
+};
+
+/// A contiguous block of a table's rows that comes in pieces, so that not all of it need be in memory.
+struct BlockInPieces {
+  std::uint64_t first, rows;
+  std::uint64_t pieces = 1;  ///< the same on all ranks; some may have no rows
+  /// Makes the next piece, which follows the one before; it is valid until the next call. All ranks call it together,
+  /// so many times; it throws on all or on none.
+  std::function<PackedBlock()> next;
+
+  BlockInPieces(std::uint64_t first, std::uint64_t rows, std::uint64_t pieces, std::function<PackedBlock()> next);
+  /// A block in one piece.
+  BlockInPieces(const PackedBlock& whole);
 };
 
 }  // namespace sigmasweep

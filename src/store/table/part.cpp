@@ -34,7 +34,7 @@ Handle create_file(const RankGroup& group, const std::string& path) {
 
 /// Creates a contiguous dataset of known size, allocated at once and not filled, with units, meanings and checksum as
 /// its attributes.
-Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows, std::uint64_t checksum) {
+Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows) {
   const std::string what = "cannot create dataset " + section.name;
   const Handle creation = property_list(H5P_DATASET_CREATE);
   check(H5Pset_layout(creation, H5D_CONTIGUOUS), what);
@@ -50,7 +50,7 @@ Handle create_dataset(hid_t file, const Section& section, std::uint64_t rows, st
     write_text(dataset, fmt::format("unit:{}", field.name), std::string(field.unit));
     write_text(dataset, fmt::format("meaning:{}", field.name), std::string(field.meaning));
   }
-  write_checksum(dataset, checksum);
+  write_checksum(dataset, 0);  // until the rows are written
   return dataset;
 }
 
@@ -105,6 +105,17 @@ void write_dataset(const RankGroup& group, hid_t dataset, const Section& section
   }
 }
 
+/// Writes a piece of the block of each rank, and adds its checksums to those of the block.
+void write_piece(const RankGroup& group, std::span<const Handle> datasets, std::span<const Section> sections,
+                 const PackedBlock& piece, std::span<Checksums> checksums) {
+  group.run_collective([&] {
+    for (std::size_t i = 0; i < sections.size(); ++i)
+      checksums[i].block += checksum_of_rows(piece.sections[i], packed_size(sections[i].fields), piece.first);
+  });
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    write_dataset(group, datasets[i], sections[i], piece.first, piece.sections[i]);
+}
+
 Checksums checksums_in_dataset(hid_t file, const Section& section, std::uint64_t total_rows, std::uint64_t first,
                                std::uint64_t rows) {
   const std::string what = "cannot read dataset " + section.name + " back";
@@ -131,23 +142,14 @@ void reserve_space(const std::string& path, std::uint64_t bytes) {
 
 std::vector<Checksums> write_part(const RankGroup& group, const std::string& path, const TableInfo& info,
                                   std::span<const Section> sections, std::uint64_t total_rows,
-                                  const PackedBlock& block) {
-  std::vector<Checksums> checksums(sections.size());
-  group.run_collective([&] {
-    for (std::size_t i = 0; i < sections.size(); ++i)
-      checksums[i].block = checksum_of_rows(block.sections[i], packed_size(sections[i].fields), block.first);
-  });
-  for (Checksums& each : checksums) each.dataset = group.sum(each.block);
+                                  const BlockInPieces& block) {
   Handle file;
   group.run_collective([&] { file = create_file(group, path); });
   const TableInfo common = common_info(group, info);
   std::vector<Handle> datasets;
   group.run_collective([&] {
     write_info(file, table_format, table_format_version, common, total_rows);
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-      checksums[i].dataset += checksum_of_layout(packed_type(sections[i].fields));
-      datasets.push_back(create_dataset(file, sections[i], total_rows, checksums[i].dataset));
-    }
+    for (const Section& section : sections) datasets.push_back(create_dataset(file, section, total_rows));
   });
   group.run_collective([&] {
     hsize_t bytes = 0;  // with all metadata and the space of the datasets
@@ -157,10 +159,15 @@ std::vector<Checksums> write_part(const RankGroup& group, const std::string& pat
   group.run_collective([&] {  // not earlier: MPI-IO does not know the file's size any more once something was written
     if (group.rank() == 0) write_long_texts(file, common);
   });
-  for (std::size_t i = 0; i < sections.size(); ++i)
-    write_dataset(group, datasets[i], sections[i], block.first, block.sections[i]);
+  std::vector<Checksums> checksums(sections.size());
+  for (std::uint64_t i = 0; i < block.pieces; ++i) write_piece(group, datasets, sections, block.next(), checksums);
+  for (Checksums& each : checksums) each.dataset = group.sum(each.block);
   group.run_collective([&] {
-    for (Handle& dataset : datasets) dataset.close("cannot close a dataset");
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      checksums[i].dataset += checksum_of_layout(packed_type(sections[i].fields));
+      replace_checksum(datasets[i], checksums[i].dataset);
+      datasets[i].close("cannot close a dataset");
+    }
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "cannot sync");  // every rank brings its own writes to the disk
     file.close("cannot close");
   });

@@ -31,10 +31,11 @@ struct Checksums {
 void reserve_space(const std::string& path, std::uint64_t bytes);
 
 /// Collective. Makes the file `path`, which must be there already, a table of `total_rows` rows with these datasets
-/// and this rank's block in them. Returns the checksums of each dataset, with those of this rank's block.
+/// and this rank's block in them, piece after piece. Returns the checksums of each dataset, with those of this rank's
+/// block.
 std::vector<Checksums> write_part(const RankGroup& group, const std::string& path, const TableInfo& info,
                                   std::span<const Section> sections, std::uint64_t total_rows,
-                                  const PackedBlock& block);
+                                  const BlockInPieces& block);
 
 /// Reads the table that write_part() wrote, on this rank alone. Returns the checksums of each dataset, with those of
 /// this range of rows. Throws IoError if the file is anything else.

@@ -70,54 +70,115 @@ void require_memory_for(std::uint64_t rows) {
     throw IoError(fmt::format("its {} rows do not fit into the memory of this machine", rows));
 }
 
-/// Reads the `known` members of a dataset of `total_rows` rows into `rows`. Returns the fields that the dataset has.
-std::vector<Field> read_rows(hid_t file, const std::string& name, const std::vector<Field>& known,
-                             std::uint64_t total_rows, std::vector<Row>& rows) {
-  const std::string what = "cannot read dataset " + name;
-  const Handle dataset = open_dataset(file, name);
-  const Handle stored(H5Dget_type(dataset), H5Tclose, what), space(H5Dget_space(dataset), H5Sclose, what);
-  if (H5Sget_simple_extent_ndims(space) != 1 ||
-      H5Sget_simple_extent_npoints(space) != static_cast<hssize_t>(total_rows))
-    throw IoError(fmt::format("dataset {} has not the {} rows that it should have", name, total_rows));
-  require_stored(dataset, total_rows, H5Tget_size(stored));
-  std::vector<Field> fields = fields_in(stored, known);
-  if (fields.empty()) throw IoError("dataset " + name + " has no member that is known");
-  if (checksum_of_layout(stored) + checksum_of_stored_rows(dataset, 0, total_rows) != read_checksum(dataset))
-    throw IoError(fmt::format("dataset {} is damaged: its rows do not have its checksum", name));
-  require_memory_for(total_rows);
-  rows.resize(total_rows);
-  const Handle type = packed_type(fields, has_earlier_flags(stored, fields));
-  const std::size_t size = packed_size(fields);
-  const std::uint64_t at_a_time = 1 << 16;
-  std::vector<std::byte> buffer(size * std::min(total_rows, at_a_time));
-  for (hsize_t first = 0; first < total_rows; first += at_a_time) {
-    const hsize_t count = std::min<hsize_t>(at_a_time, total_rows - first);
-    const Handle in_memory(H5Screate_simple(1, &count, nullptr), H5Sclose, what);
-    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &count, nullptr), what);
-    check(H5Dread(dataset, type, in_memory, space, H5P_DEFAULT, buffer.data()), what);
-    for (hsize_t k = 0; k < count; ++k)
-      if (!unpack(fields, buffer.data() + k * size, rows[first + k]))
-        throw IoError(fmt::format("row {} of dataset {} has a value that is none of its names", first + k, name));
+/// A dataset of a table that is open: the `known` members of its rows.
+class OpenDataset {
+ public:
+  OpenDataset(hid_t file, const std::string& name, const std::vector<Field>& known, std::uint64_t rows)
+      : name_(name),
+        what_("cannot read dataset " + name),
+        dataset_(open_dataset(file, name)),
+        stored_(H5Dget_type(dataset_), H5Tclose, what_),
+        space_(H5Dget_space(dataset_), H5Sclose, what_),
+        rows_(rows) {
+    if (H5Sget_simple_extent_ndims(space_) != 1 || H5Sget_simple_extent_npoints(space_) != static_cast<hssize_t>(rows))
+      throw IoError(fmt::format("dataset {} has not the {} rows that it should have", name, rows));
+    require_stored(dataset_, rows, H5Tget_size(stored_));
+    fields_ = fields_in(stored_, known);
+    if (fields_.empty()) throw IoError("dataset " + name + " has no member that is known");
+    type_ = packed_type(fields_, has_earlier_flags(stored_, fields_));
   }
-  return fields;
-}
+
+  const std::vector<Field>& fields() const { return fields_; }
+
+  void check() const {
+    if (checksum_of_layout(stored_) + checksum_of_stored_rows(dataset_, 0, rows_) != read_checksum(dataset_))
+      throw IoError(fmt::format("dataset {} is damaged: its rows do not have its checksum", name_));
+  }
+
+  /// Sets the members of the rows from `first` on.
+  void read(hsize_t first, std::span<Row> rows) const {
+    const std::size_t size = packed_size(fields_);
+    const hsize_t count = rows.size();
+    std::vector<std::byte> buffer(size * count);
+    const Handle in_memory(H5Screate_simple(1, &count, nullptr), H5Sclose, what_);
+    sigmasweep::check(H5Sselect_hyperslab(space_, H5S_SELECT_SET, &first, nullptr, &count, nullptr), what_);
+    sigmasweep::check(H5Dread(dataset_, type_, in_memory, space_, H5P_DEFAULT, buffer.data()), what_);
+    for (hsize_t k = 0; k < count; ++k)
+      if (!unpack(fields_, buffer.data() + k * size, rows[k]))
+        throw IoError(fmt::format("row {} of dataset {} has a value that is none of its names", first + k, name_));
+  }
+
+ private:
+  std::string name_, what_;
+  Handle dataset_, stored_, space_, type_;
+  std::uint64_t rows_;
+  std::vector<Field> fields_;
+};
+
+constexpr std::uint64_t rows_at_a_time = 1 << 16;
+
+/// A table that is open.
+struct OpenTable {
+  explicit OpenTable(const std::string& path)
+      : file(open_file(path, "table")),
+        stored(read_info(file)),
+        results(file, "results", known_results(), stored.rows),
+        timings(file, "timings", {timing_fields().begin(), timing_fields().end()}, stored.rows) {}
+
+  static std::vector<Field> known_results() {
+    std::vector<Field> known;
+    for (const auto list : {parameter_fields(), result_fields()}) known.insert(known.end(), list.begin(), list.end());
+    return known;
+  }
+
+  void read(std::uint64_t first, std::span<Row> rows) const {
+    results.read(first, rows);
+    timings.read(first, rows);
+    for (std::uint64_t k = 0; k < rows.size(); ++k) rows[k].index = stored.info.slice.row(first + k);
+  }
+
+  Handle file;
+  StoredInfo stored;
+  OpenDataset results, timings;
+};
 
 Table read_open_table(const std::string& path) {
-  const Handle file = open_file(path, "table");
-  StoredInfo stored = read_info(file);
-  Table table;
-  table.info = std::move(stored.info);
-  std::vector<Field> of_results;
-  for (const auto list : {parameter_fields(), result_fields()})
-    of_results.insert(of_results.end(), list.begin(), list.end());
-  const auto of_timings = timing_fields();
-  table.columns = read_rows(file, "results", of_results, stored.rows, table.rows);
-  read_rows(file, "timings", {of_timings.begin(), of_timings.end()}, stored.rows, table.rows);
-  for (std::uint64_t k = 0; k < stored.rows; ++k) table.rows[k].index = table.info.slice.row(k);
+  const OpenTable open(path);
+  open.results.check();
+  open.timings.check();
+  require_memory_for(open.stored.rows);
+  Table table{open.stored.info, open.results.fields(), std::vector<Row>(open.stored.rows)};
+  for (std::uint64_t first = 0; first < open.stored.rows; first += rows_at_a_time)
+    open.read(first, std::span(table.rows).subspan(first, std::min(rows_at_a_time, open.stored.rows - first)));
   return table;
 }
 
 }  // namespace
+
+struct TableRows::Impl {
+  Hdf5Session session{};
+  OpenTable open;
+  std::uint64_t first = 0;
+  std::vector<Row> rows{};  ///< from the first on
+
+  explicit Impl(const std::string& path) : open(path) {}
+};
+
+TableRows::TableRows(const std::string& path) : impl_(std::make_unique<Impl>(path)) {}
+TableRows::~TableRows() = default;
+TableRows::TableRows(TableRows&&) noexcept = default;
+
+std::uint64_t TableRows::size() const { return impl_->open.stored.rows; }
+
+const Row& TableRows::operator[](std::uint64_t k) {
+  Impl& table = *impl_;
+  if (k < table.first || k >= table.first + table.rows.size()) {
+    table.first = k;
+    table.rows.assign(std::min(rows_at_a_time, size() - k), Row());
+    table.open.read(k, table.rows);
+  }
+  return table.rows[k - table.first];
+}
 
 Table read_table(const std::string& path) {
   const Hdf5Session session;

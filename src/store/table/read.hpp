@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,25 @@ struct Table {
   TableInfo info;
   std::vector<Field> columns;  ///< what /results has
   std::vector<Row> rows;       ///< with timings; members that the file lacks keep their defaults; index: the spec's row
+};
+
+/// The rows of a table as they are asked for, so that not all of them need be in memory. What was checked when the
+/// table was written, or by read_table(), is not checked again.
+class TableRows {
+ public:
+  /// Throws as read_table().
+  explicit TableRows(const std::string& path);
+  ~TableRows();
+  TableRows(TableRows&&) noexcept;
+  TableRows& operator=(TableRows&&) = delete;
+
+  std::uint64_t size() const;
+  /// The k-th row; it reads those behind it, too. Throws IoError.
+  const Row& operator[](std::uint64_t k);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Reads a table without MPI. Members are found by name and converted; unknown ones are passed over. Throws

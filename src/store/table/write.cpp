@@ -65,7 +65,7 @@ void see_same_file(const std::string& part, int rank) {
 }
 
 /// Requires that the blocks cover the table: nothing would fill a gap.
-void check_blocks(const RankGroup& group, std::uint64_t total_rows, const PackedBlock& block) {
+void check_blocks(const RankGroup& group, std::uint64_t total_rows, const BlockInPieces& block) {
   const std::uint64_t rows = group.sum(block.rows), before = group.sum_before(block.rows);
   group.run_collective([&] {
     if (rows != total_rows || block.first != before)
@@ -75,7 +75,7 @@ void check_blocks(const RankGroup& group, std::uint64_t total_rows, const Packed
 
 /// Every rank reads the rows of another rank: its own rows it might find in its own machine's memory.
 void read_back(const RankGroup& group, const std::string& part, std::span<const Section> sections,
-               std::uint64_t total_rows, const PackedBlock& block, const std::vector<Checksums>& checksums) {
+               std::uint64_t total_rows, const BlockInPieces& block, const std::vector<Checksums>& checksums) {
   std::vector<std::uint64_t> message{block.first, block.rows};
   for (const Checksums& each : checksums) message.push_back(each.block);
   const int before = (group.rank() + group.size() - 1) % group.size(), next = (group.rank() + 1) % group.size();
@@ -99,7 +99,7 @@ void publish(AtomicFile& file) {
 }
 
 void write_collective(const RankGroup& group, const std::string& path, const TableInfo& info,
-                      std::span<const Section> sections, std::uint64_t total_rows, const PackedBlock& block) {
+                      std::span<const Section> sections, std::uint64_t total_rows, const BlockInPieces& block) {
   const std::string part = part_of(path);
   std::uint64_t bytes = (std::uint64_t{1} << 16) + 2 * (info.title.size() + info.spec_text.size());
   for (const Section& section : sections) bytes += total_rows * packed_size(section.fields);
@@ -120,11 +120,12 @@ void write_collective(const RankGroup& group, const std::string& path, const Tab
 
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
                  std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block) {
-  write_table(comm, path, info, columns, total_rows, {first, PackedRows(columns, block), block.size()});
+  const PackedRows packed(columns, block);
+  write_table(comm, path, info, columns, total_rows, PackedBlock(first, packed, block.size()));
 }
 
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
-                 std::uint64_t total_rows, const PackedBlock& block) {
+                 std::uint64_t total_rows, const BlockInPieces& block) {
   const Hdf5Session session;
   const RankGroup group(comm);
   const std::array sections{Section{"results", columns}, Section{"timings", timing_fields()}};

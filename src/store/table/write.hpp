@@ -26,7 +26,7 @@ namespace sigmasweep {
 /// throws the same error (OutputError: cannot be created; IoError: disk full, a failed write, other bytes read back
 /// than written). /results is the same to the bit for any number of ranks and any blocks.
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
-                 std::uint64_t total_rows, const PackedBlock& block);
+                 std::uint64_t total_rows, const BlockInPieces& block);
 /// The same with rows that are not packed.
 void write_table(MPI_Comm comm, const std::string& path, const TableInfo& info, std::span<const Field> columns,
                  std::uint64_t total_rows, std::uint64_t first, std::span<const Row> block);

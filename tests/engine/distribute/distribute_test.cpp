@@ -12,8 +12,8 @@
 #include <set>
 #include <thread>
 
-#include "engine/compute_batch.hpp"
 #include "engine/distribute/distribute.hpp"
+#include "sigmasweep/model/row.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -32,6 +32,13 @@ long sum_over_ranks(long mine) {
   EXPECT_EQ(MPI_Allreduce(&mine, &sum, 1, MPI_LONG, MPI_SUM, MPI_COMM_WORLD), MPI_SUCCESS);
   return sum;
 }
+
+/// A task of some hundred bytes.
+struct SweepTask {
+  std::uint64_t index = 0;
+  double predicted_seconds = 0.0;
+  Parameters parameters;
+};
 
 /// Tuples whose every double is odd in some way: denormal, negative zero, the last bit set.
 Parameters tuple(std::uint64_t row) {

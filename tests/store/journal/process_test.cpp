@@ -19,6 +19,11 @@ using samples::bytes_of;
 using samples::message_of;
 using samples::row;
 
+/// A row as a journal has it.
+JournalledRow written(std::uint64_t index, std::uint64_t variant = 0) {
+  return samples::journalled(row(index, variant));
+}
+
 constexpr JournalIdentity identity{.spec_hash = 42, .physics_version = 1, .rows = 1'000'000'000};
 
 /// A child process that does `work` with the writing end of a pipe that this one reads from.
@@ -92,11 +97,11 @@ TEST_F(JournalProcessTest, EveryAppendedRowSurvivesSigkill) {
     child.kill();
     while (child.read(more)) last = more;
     const Journal journal(table, identity, false);
-    const std::vector<Row> rows_there = journal.recovered();
+    const std::vector<JournalledRow> rows_there = journal.recovered();
     ASSERT_GE(rows_there.size(), last + 1);
     ASSERT_LE(rows_there.size(), last + 2);  // one may have been written and not yet told
     EXPECT_LE(journal.dropped(), 1u);        // that one, torn where the write crossed a page
-    for (std::uint64_t i = 0; i < rows_there.size(); ++i) ASSERT_EQ(bits(rows_there[i]), bits(row(i)));
+    for (std::uint64_t i = 0; i < rows_there.size(); ++i) ASSERT_EQ(bits(rows_there[i]), bits(written(i)));
     begun = rows_there.size();
   }
 }
@@ -178,7 +183,7 @@ TEST_F(JournalProcessTest, AFullDiskIsAnErrorAndTheJournalStaysReadable) {
     const Journal journal(table, identity, false);
     ASSERT_EQ(journal.recovered().size(), 11u);
     EXPECT_EQ(journal.dropped(), 0u);
-    for (std::uint64_t i = 0; i < 11; ++i) EXPECT_EQ(bits(journal.recovered()[i]), bits(row(i)));
+    for (std::uint64_t i = 0; i < 11; ++i) EXPECT_EQ(bits(journal.recovered()[i]), bits(samples::journalled(row(i))));
   }
 }
 

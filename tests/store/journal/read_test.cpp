@@ -21,6 +21,11 @@ using samples::message_of;
 using samples::put_bytes;
 using samples::row;
 
+/// A row as a journal has it.
+JournalledRow written(std::uint64_t index, std::uint64_t variant = 0) {
+  return samples::journalled(row(index, variant));
+}
+
 constexpr JournalIdentity identity{.spec_hash = 3, .physics_version = physics_version, .rows = 100'000};
 
 class ReadJournal : public testing::Test {
@@ -73,7 +78,7 @@ TEST_F(ReadJournal, PassesOverATailTornAtAnyByteAndChangesNothing) {
     const auto found = read_journal(table);
     ASSERT_TRUE(found);
     ASSERT_GE(found->rows.size(), cut == 0 ? 3u : 1u) << cut;
-    for (const Row& r : found->rows) ASSERT_EQ(bits(r), bits(row(r.index)));
+    for (const JournalledRow& r : found->rows) ASSERT_EQ(bits(r), bits(written(r.row.index)));
     ASSERT_EQ(bytes_of(path), torn);
   }
 }
@@ -93,7 +98,7 @@ TEST_F(ReadJournal, ReadsWhileAnotherProcessAppends) {
     ASSERT_TRUE(found);
     ASSERT_GE(found->rows.size(), before);
     before = found->rows.size();
-    for (std::size_t k = 0; k < before; ++k) ASSERT_EQ(found->rows[k].index, k);
+    for (std::size_t k = 0; k < before; ++k) ASSERT_EQ(found->rows[k].row.index, k);
     ++looks;
   }
   EXPECT_EQ(status, 0);

@@ -5,11 +5,14 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <memory>
+#include <optional>
 #include <random>
+#include <utility>
 
 #include "sigmasweep/base/errors.hpp"
 #include "store/hdf5/handle.hpp"
@@ -177,6 +180,39 @@ TEST_F(TableTest, ResultsAreTheSameBitsForAnyNumberOfRanks) {
   }
 }
 
+TEST_F(TableTest, RowsAreReadAsTheyAreAskedFor) {
+  write(MPI_COMM_WORLD, path, all_columns(), 70'000, Deal::even, info());
+  barrier();
+  TableRows rows(path);
+  ASSERT_EQ(rows.size(), 70'000u);
+  for (const std::uint64_t k : {69'999u, 0u, 65'535u, 65'536u, 1u})
+    EXPECT_EQ(bits(rows[k]), bits(samples::row(k))) << k;
+  EXPECT_THROW(TableRows(directory + "missing.h5"), InputNotFound);
+}
+
+TEST_F(TableTest, ABlockInPiecesGivesTheSameTable) {
+  constexpr std::uint64_t total = 100, at_a_time = 7, pieces = 15;
+  const std::vector<Field> columns = all_columns();
+  write(MPI_COMM_WORLD, path, columns, total, Deal::even, info());
+  barrier();
+  const std::string results = raw_bytes(path, "results"), timings = raw_bytes(path, "timings");
+  const std::string whole = bytes_of(path);
+  barrier();
+  const auto [first, count] = block_of(Deal::even, total, rank, size);
+  std::uint64_t done = 0;
+  std::optional<PackedRows> piece;
+  const BlockInPieces block(first, count, pieces, [&, first = first, count = count] {
+    const std::uint64_t now = std::min(at_a_time, count - done), place = first + std::exchange(done, done + now);
+    piece.emplace(columns, samples::rows(place, now));
+    return PackedBlock(place, *piece, now);
+  });
+  write_table(MPI_COMM_WORLD, path, info(), columns, total, block);
+  barrier();
+  EXPECT_TRUE(bytes_of(path) == whole);
+  EXPECT_TRUE(raw_bytes(path, "results") == results && raw_bytes(path, "timings") == timings);
+  ASSERT_EQ(read_table(path).rows.size(), total);
+}
+
 TEST_F(TableTest, WritesMoreThanOneTransferTakes) {
   constexpr std::uint64_t rows = 300'000;  // 41 MiB of results, a transfer is 32
   write(MPI_COMM_WORLD, path, all_columns(), rows, Deal::last, info());
@@ -290,7 +326,8 @@ TEST_F(TableTest, ReadingBackSeesAFlippedBitAndACutFile) {
   const RankGroup group(MPI_COMM_WORLD);
   if (rank == 0) put_bytes(path, "");
   barrier();
-  const auto written = write_part(group, path, info(), sections, 100, {first, PackedRows(columns, block), count});
+  const PackedRows packed(columns, block);
+  const auto written = write_part(group, path, info(), sections, 100, PackedBlock(first, packed, count));
   EXPECT_EQ(checksums_in_part(path, sections, 100, first, count), written);
   barrier();
   if (rank != 0) return;
