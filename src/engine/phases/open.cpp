@@ -11,6 +11,7 @@
 #include "engine/phases/phase.hpp"
 #include "engine/report/provenance.hpp"
 #include "engine/trajectories/trajectories.hpp"
+#include "store/table/packed_rows.hpp"
 #include "store/table/place.hpp"
 #include "store/table/read.hpp"
 
@@ -47,9 +48,21 @@ void report_kept_rows(const Ledger& ledger, const std::string& table, std::uint6
 
 }  // namespace
 
+constexpr std::uint64_t most_rows_in_memory = std::uint64_t{1} << 22;
+
 RowSource OpenSweep::table_rows() const {
   auto rows = std::make_shared<TableRows>(table);
   const std::uint64_t size = rows->size();
+  if (size <= most_rows_in_memory) {  // any order is fast then
+    auto packed = std::make_shared<PackedRows>(sweep.columns(), size);
+    for (std::uint64_t place = 0; place < size; ++place) packed->set(place, (*rows)[place]);
+    return {size, [this, packed = std::move(packed)](std::uint64_t place) {
+              Row row{.index = slice.row(place), .parameters = {}, .result = {}, .timing = {}};
+              packed->get(place, row);
+              row.parameters = sweep.at(row.index);
+              return row;
+            }};
+  }
   return {size, [this, rows = std::move(rows)](std::uint64_t place) {
             Row row = (*rows)[place];
             row.parameters = sweep.at(row.index);

@@ -111,6 +111,8 @@ std::string universal(const Universality& found) {
 }  // namespace
 
 Universality universality(const RowSource& rows) {
+  constexpr std::uint64_t most_rows = std::uint64_t{1} << 22;  // rows are looked up in any order
+  if (rows.size() > most_rows) return {};
   const std::vector<Point> sorted = sorted_points(rows);
   Universality result;
   for (auto begin = sorted.begin(); begin != sorted.end();) {

@@ -13,7 +13,8 @@ namespace sigmasweep {
 
 /// The largest spread of eps_eff among rows that should be the same point: equal sigma (to 1e-12, relative), N,
 /// epsilon, method, wall and integrator with its accuracy (steps_per_tc or tolerance), but other v0, tc or s0. How
-/// universal the curve is. Rows without a result are ignored.
+/// universal the curve is. Rows without a result are ignored. Of
+/// more than four million rows nothing is said.
 struct Universality {
   double spread = 0.0;       ///< largest max - min of eps_eff within a group
   double sigma = 0.0;        ///< where
