@@ -1,6 +1,7 @@
 #include "sweep/axis.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -55,7 +56,7 @@ AnyNumber Axis::Range::point(std::uint64_t k) const {
 
 AnyNumber Axis::Sample::point(std::uint64_t k) const {
   const double u = unit(k);
-  if (const auto* normal = std::get_if<Normal>(&distribution)) return normal->at(u);
+  if (const auto* normal = std::get_if<Normal>(&distribution)) return normal->at(u + to_middle());
   const Scale& scale = std::get<Scale>(distribution);
   const Interval& interval = scale.interval;
   if (!interval.whole || interval.log) return scale.divided(u, 1.0L - u);
@@ -116,6 +117,13 @@ Axis Axis::tabulated() && {
   std::vector<AnyNumber> values(size());
   for (std::uint64_t k = 0; k < values.size(); ++k) values[k] = (*this)[k];
   return list(std::move(values));
+}
+
+/// The plain Sobol sequence begins with 0, the end of a normal distribution, and its first 2^m points are the lower
+/// ends of 2^m equal parts: half of a part leads to the middle of it.
+double Axis::Sample::to_middle() const {
+  const bool plain = sampling.kind == SampleKind::sobol && sampling.key == 0;
+  return plain ? 0.5 / static_cast<double>(std::bit_ceil(count)) : 0.0;
 }
 
 double Axis::Sample::unit(std::uint64_t k) const {

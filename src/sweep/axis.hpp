@@ -82,6 +82,7 @@ class Axis {
     Sampling sampling;
     SobolDimension sobol;
     double unit(std::uint64_t k) const;  ///< in [0, 1]
+    double to_middle() const;            ///< of the part of [0, 1] that belongs to a point of a normal sample
     AnyNumber point(std::uint64_t k) const;
   };
   using Values = std::variant<std::vector<AnyNumber>, Range, Sample>;

@@ -120,7 +120,8 @@ void replace(std::string& text, const toml::node& node, const Setting& setting) 
   text.replace(begin, offset_of(text, node.source().end) - begin, setting.value);
 }
 
-/// Sets a key in [defaults] and in each [sweep] that has it; where none has it, in each [sweep].
+/// Sets a key in [defaults] and in each [sweep] that has it; where none has it, in each [sweep]. Also in each with
+/// points, which refuse it if they give it.
 void set(std::string& text, const Setting& setting) {
   const toml::table spec = toml::parse(text);
   std::vector<const toml::table*> tables = sweep_tables(spec);
@@ -131,7 +132,8 @@ void set(std::string& text, const Setting& setting) {
   const bool is_there = std::ranges::any_of(tables, has);
   for (const toml::table* table : tables) {
     if (has(table)) replace(text, *table->get(setting.key), setting);
-    if (!is_there && table != spec["defaults"].as_table()) add(text, *table, setting);
+    const bool is_part = table != spec["defaults"].as_table();
+    if (is_part && !has(table) && (!is_there || table->contains("points"))) add(text, *table, setting);
   }
 }
 

@@ -145,6 +145,18 @@ TEST(NormalSample, OfLogarithmsHasTheMeanOfItsValues) {
   EXPECT_NEAR(squares / 4096 - 4.0, 1.0, 0.05);
 }
 
+TEST(NormalSample, OfPlainSobolPointsLiesInTheMiddleOfEqualParts) {
+  const Sweep all = sweep(
+      "v0 = 1\ntc = 1e-5\nN = 3\nsigma = 1\nepsilon = { sample = \"normal\", mean = 0.5, sd = 0.01 }\nsample = { of = "
+      "[\"epsilon\"], count = 4 }\n");
+  std::vector<double> values;
+  for (std::uint64_t row = 0; row < all.size(); ++row) values.push_back((all.at(row).epsilon - 0.5) / 0.01);
+  std::ranges::sort(values);
+  // The quantiles of 1/8, 3/8, 5/8 and 7/8.
+  const std::vector<double> expected{-1.15034938, -0.31863936, 0.31863936, 1.15034938};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(values[k], expected[k], 1e-7) << k;
+}
+
 TEST(NormalSample, IsCutOffAtItsEnds) {
   const Sweep all = sweep(
       "v0 = 1\ntc = 1e-5\nN = 3\nsigma = 1\nepsilon = { sample = \"normal\", mean = 0.95, sd = 0.1, "

@@ -91,6 +91,17 @@ TEST(Union, MistakesNameTheTableAndTheLine) {
   EXPECT_EQ(refusal("sweep = []\n").substr(0, 19), "test.toml:1: sweep:");
 }
 
+TEST(Union, SettingsDoNotGetLostBesidePoints) {
+  const std::string text =
+      "[defaults]\nN = 2\ntc = 1e-5\nepsilon = 0.9\nsigma = 1\n[[sweep]]\nv0 = 1\n[[sweep]]\npoints = "
+      "\"v0,seed\\n3,1\"\n"
+      "random_separation = true\n";
+  EXPECT_EQ(refusal(spec::with_settings(text, std::vector<std::string>{"v0=2"})),
+            "test.toml:11: sweep.v0: is given by the points in line 9");
+  const Sweep other = parse(spec::with_settings(text, std::vector<std::string>{"N=7"}));
+  for (std::uint64_t row = 0; row < other.size(); ++row) EXPECT_EQ(other.at(row).N, 7);
+}
+
 TEST(Union, SettingsReplaceAKeyWhereverItStands) {
   const auto set = [](const std::string& setting) {
     return parse(spec::with_settings(two_parts, std::vector{setting}));
