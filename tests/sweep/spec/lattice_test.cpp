@@ -184,6 +184,16 @@ TEST(LatticeSweep, AndItsFieldsAreUsedByItAlone) {
   EXPECT_TRUE(applies_to(*find_field("N"), column));
 }
 
+TEST(LatticeSweep, GapsThatTakeTheDigitsOfPositionsAreRefused) {
+  const std::string wide = "v0 = 0.05\ns0 = 1e86\nrows = [2, 20]\n", why = "positions would lose their digits";
+  EXPECT_NE(wrong(wide).find(why), std::string::npos);
+  const auto only = [&](const std::string& geometry) {
+    return refusal(spec_with(wide + "N = 3\nwhere = \"geometry == " + geometry + "\"", both));
+  };
+  EXPECT_NE(only("lattice").find(why), std::string::npos) << only("lattice");
+  EXPECT_EQ(only("column").find(why), std::string::npos) << only("column");
+}
+
 TEST(LatticeCost, IsPositiveFiniteAndGrows) {
   for (const Geometry geometry : {Geometry::lattice, Geometry::vibrated_lattice})
     for (const Integrator integrator : values_of<Integrator>())

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "model/fields/conditions.hpp"
 #include "sigmasweep/assembly/complete.hpp"
+#include "sigmasweep/assembly/validity.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/relevance.hpp"
 #include "sweep/calibration_cache.hpp"
@@ -51,6 +53,8 @@ Selection select(const Entry& entry, const std::vector<Setting>& settings, const
     const Parameters tuple = product.at(i);
     const bool chosen = where(tuple);
     if (chosen) require_soft_lattice(settings, tuple);
+    if (chosen && conditions::lattice.holds(tuple))
+      if (const std::string why = why_invalid(tuple); !why.empty()) refuse_value(entry, why);
     selection.push(chosen);
   }
   if (selection.size() == 0) refuse_value(entry, "no tuple satisfies it");
@@ -105,7 +109,8 @@ void require_consistent(const Entry& sweep, const SweepKeys& contents, const Com
   mistakes.keep([&] { require_diameters(settings, zips, base); });
   mistakes.keep([&] { require_lattice(settings, zips, base); });
   mistakes.keep([&] { require_plate(settings, zips, base); });
-  mistakes.keep([&] { require_finite_gap(settings, base); });
+  const bool of_lattice = !where && std::ranges::any_of(tuples, conditions::lattice.holds);
+  mistakes.keep([&] { require_finite_gap(settings, base, of_lattice); });
   mistakes.keep([&] { require_countable(sweep, groups); });
   mistakes.refuse_any();
 }

@@ -158,7 +158,7 @@ void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>&
           ends(settings, "transient", static_cast<double>(base.transient))[1]);
 }
 
-void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base) {
+void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base, bool of_lattice) {
   if (find(settings, "K_over_m") || find(settings, "material")) return;
   // sigma and s0 are monotonic in v0, tc and each other, so that their extremes are at the ends of the axes.
   const Setting* gap = find(settings, gap_of(settings).name);
@@ -171,6 +171,11 @@ void require_finite_gap(const std::vector<Setting>& settings, const Parameters& 
         p.v0 = v0;
         p.tc = tc;
         set_number(*given.field, p, value);
+        if (of_lattice) {
+          p.geometry = Geometry::lattice;
+          p.rows = static_cast<std::int64_t>(ends(settings, "rows", static_cast<double>(base.rows))[1]);
+          derive_beads(p);
+        }
         if (const std::string why = why_invalid(complete(p, kind_of(*given.field))); !why.empty())
           refuse(given.entry,
                  fmt::format("with v0 = {}, tc = {} and {} = {}: {}", v0, tc, given.field->name, value, why));

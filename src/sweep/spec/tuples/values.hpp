@@ -18,8 +18,9 @@ void require_lattice(const std::vector<Setting>& settings, const std::vector<Zip
 /// shorter than the periods.
 void require_plate(const std::vector<Setting>& settings, const std::vector<Zip>& zips, const Parameters& base);
 
-/// Requires finite s0 and sigma for all v0 and tc of the axes. Nothing is required if tc follows from the stiffness.
-void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base);
+/// Requires finite s0 and sigma for all v0 and tc of the axes, and of lattices such that positions keep their digits.
+/// Nothing is required if tc follows from the stiffness.
+void require_finite_gap(const std::vector<Setting>& settings, const Parameters& base, bool of_lattice);
 
 /// Requires that every pair separates after its collision, with finite s0 and sigma, if tc follows from the stiffness.
 /// Up to about 10^4 pairs (10^5 for the linear law) are all checked. Of more pairs the extremes of each axis are
