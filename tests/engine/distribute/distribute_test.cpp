@@ -353,7 +353,7 @@ TEST(Wire, RefusesMessagesThatAreTooShortForWhatTheySay) {
 }
 
 TEST(World, BroadcastsTextAndNumbers) {
-  const std::string text("text\0with zero, \n\xff", 19), empty;
+  const std::string text("text\0with zero, \n\xff", 18), empty;
   EXPECT_EQ(world().broadcast(world().is_manager() ? text : "other"), text);
   EXPECT_EQ(world().broadcast(world().is_manager() ? empty : "other"), empty);
   EXPECT_EQ(world().broadcast(world().is_manager() ? std::int64_t{-1} << 62 : 7), std::int64_t{-1} << 62);

@@ -119,7 +119,7 @@ class TableTest : public testing::Test {
   /// Every rank must throw this kind of error with the same message, which is returned.
   template <class Kind>
   std::string message_on_all(const std::function<void()>& action) {
-    const std::string mine = samples::message_of<Kind>(action);
+    std::string mine = samples::message_of<Kind>(action);
     EXPECT_EQ(mine, from_rank_0(mine));
     return mine;
   }
