@@ -78,6 +78,13 @@ void AtomicFile::publish() {
     throw OutputError(fmt::format("cannot create {}: {}", path_, reason(error)));
 }
 
+void write_text_file(const std::string& path, std::string_view text, const std::string& suffix) {
+  AtomicFile file(path, suffix);
+  if (const int error = write_all(file.fd(), std::as_bytes(std::span(text))); error != 0)
+    throw IoError(fmt::format("cannot write {}: {}", path, reason(error)));
+  file.publish();
+}
+
 void write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
   AtomicFile file(path);
   int error = write_at(file.fd(), bytes, 0);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/file.hpp"
@@ -48,5 +49,9 @@ class AtomicFile {
 /// Makes PATH a file of these bytes that survives a power failure: written to PATH.part, synced, renamed. PATH is
 /// complete or as it was before. Throws OutputError (cannot be created) or IoError (full disk, failed write).
 void write_whole_file(const std::string& path, std::span<const std::byte> bytes);
+
+/// Makes PATH a file of this text, which is not synced. PATH is complete or as it was before. Throws OutputError
+/// (cannot be created) or IoError (full disk, failed write).
+void write_text_file(const std::string& path, std::string_view text, const std::string& suffix = ".part");
 
 }  // namespace sigmasweep

@@ -26,11 +26,10 @@ double default_time_limit(double predicted_seconds);
 /// their predicted times. Rows that drop out of a batch, because they take longer, are computed and timed alone.
 class BatchComputer {
  public:
+  using ParametersOf = std::function<Parameters(std::uint64_t row)>;
   /// A row that takes longer than `limit` of CPU time, s, becomes Status::time_limit; by default the limit is
   /// default_time_limit(). `alone` are rows of which a process may have died: none of them is computed in a batch with
-  /// others, so that only the guilty one is blamed.
-  /// `parameters_of` gives those of a row.
-  using ParametersOf = std::function<Parameters(std::uint64_t row)>;
+  /// others, so that only the guilty one is blamed. `parameters_of` gives the parameters of a row.
   BatchComputer(int rank, std::optional<double> limit, std::set<std::uint64_t> alone, RunNotes& notes,
                 ParametersOf parameters_of);
 

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "base/atomic_file.hpp"
 #include "plot/gnuplot/script.hpp"
@@ -15,18 +18,18 @@
 namespace sigmasweep {
 namespace {
 
-/// Whether the name asks for text.
-bool is_text(const std::string& path) {
-  return path.ends_with(".html") || path.ends_with(".gp") || path.ends_with(".csv");
+using Text = std::string (*)(const plot::Figure& figure, std::span<const Row> rows, const PlotSpec& spec);
+
+std::string commands_of(const plot::Figure& figure, std::span<const Row>, const PlotSpec&) {
+  return plot::gnuplot_script(figure, plot::Form::svg);
 }
 
-/// The figure as text, where the name asks for that: a page of HTML, gnuplot's commands with their data, or the points.
-std::optional<std::string> text_of(const plot::Figure& figure, std::span<const Row> rows, const PlotSpec& spec,
-                                   const std::string& path) {
-  if (path.ends_with(".html")) return plot::html_page(figure, rows, spec);
-  if (path.ends_with(".gp")) return plot::gnuplot_script(figure, plot::Form::svg);
-  if (path.ends_with(".csv")) return plot::points_as_csv(figure, rows, spec);
-  return std::nullopt;
+/// What writes a figure as text, where the ending of the name asks for that; null where it does not.
+Text text_for(const std::string& path) {
+  constexpr std::array<std::pair<std::string_view, Text>, 3> forms{
+      {{".html", plot::html_page}, {".gp", commands_of}, {".csv", plot::points_as_csv}}};
+  const auto form = std::ranges::find_if(forms, [&](const auto& known) { return path.ends_with(known.first); });
+  return form == forms.end() ? nullptr : form->second;
 }
 
 void write_text(const std::string& path, const std::string& text) {
@@ -40,12 +43,13 @@ void write_text(const std::string& path, const std::string& text) {
 
 std::vector<SeriesFit> plot_rows(std::span<const Row> rows, const PlotSpec& spec, const std::string& title,
                                  const std::string& path) {
-  if (!is_text(path)) plot::form_of(path);
+  const Text text = text_for(path);
+  const auto form = text ? std::nullopt : std::optional(plot::form_of(path));  // before the work
   const plot::Figure figure = plot::figure_of(rows, spec, title);
-  if (const auto text = text_of(figure, rows, spec, path))
-    write_text(path, *text);
+  if (form)
+    plot::run_gnuplot(plot::gnuplot_script(figure, *form), path);
   else
-    plot::run_gnuplot(plot::gnuplot_script(figure, plot::form_of(path)), path);
+    write_text(path, text(figure, rows, spec));
   std::vector<SeriesFit> fits;
   for (const plot::Curve& curve : figure.curves)
     if (curve.fit)

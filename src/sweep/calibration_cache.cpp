@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <span>
 #include <string_view>
 
@@ -15,33 +14,20 @@ namespace {
 constexpr auto of_material = std::to_array<std::string_view>({"law", "beta", "gamma", "material"});
 constexpr auto of_pair = std::to_array<std::string_view>({"law", "beta", "gamma", "material", "K_over_m", "D_n", "v0"});
 
-bool has_axis(const ParameterGrid::Group& group, std::span<const std::string_view> names) {
-  return std::ranges::any_of(group, [&](const ParameterGrid::Member& member) {
-    return std::ranges::find(names, member.field->name) != names.end();
-  });
-}
-
 /// The groups with axes on which parameters depend.
 std::vector<ParameterGrid::Group> with_axis(const std::vector<ParameterGrid::Group>& groups,
                                             const Dependents& dependents,
                                             std::span<const std::string_view> parameters) {
-  std::vector<ParameterGrid::Group> found;
-  const auto names = dependents.with_causes(parameters);
-  std::ranges::copy_if(groups, std::back_inserter(found), [&](const auto& group) { return has_axis(group, names); });
-  return found;
+  return groups_with(groups, dependents.with_causes(parameters));
 }
 
 bool has_own_stiffness(const Parameters& base, const std::vector<ParameterGrid::Group>& groups) {
   static constexpr auto given = std::to_array<std::string_view>({"K_over_m", "material"});
-  return base.K_over_m > 0.0 || base.material != Material::none ||
-         std::ranges::any_of(groups, [](const auto& group) { return has_axis(group, given); });
+  return base.K_over_m > 0.0 || base.material != Material::none || !groups_with(groups, given).empty();
 }
 
-/// Whether the groups make at most `most` tuples. It is counted in floating point, which does not overflow.
-bool is_small(const std::vector<ParameterGrid::Group>& groups, std::uint64_t most) {
-  double size = 1.0;
-  for (const ParameterGrid::Group& group : groups) size *= static_cast<double>(group.front().axis.size());
-  return size <= static_cast<double>(most);
+bool is_small(const std::vector<ParameterGrid::Group>& groups) {
+  return count_of(groups) <= static_cast<double>(CalibrationCache::max_pairs);
 }
 
 }  // namespace
@@ -67,11 +53,11 @@ CalibrationCache::CalibrationCache(const Parameters& base, const std::vector<Par
   for (const bool pairs_too : {false, true}) {
     const auto deciding =
         with_axis(groups, dependents, pairs_too ? std::span<const std::string_view>(of_pair) : of_material);
-    if (!is_small(deciding, max_pairs)) continue;
+    if (!is_small(deciding)) continue;
     for (std::uint64_t i = 0; i < size_of(deciding); ++i) insert(tuple(deciding, i), pairs_too);
   }
   const auto deciding = with_axis(groups, dependents, of_pair);
-  if (is_small(deciding, max_pairs)) return;
+  if (is_small(deciding)) return;
   const auto materials = with_axis(groups, dependents, of_material);
   for (std::uint64_t i = 0; i < std::min(size_of(materials), max_pairs); ++i)
     is_slow_ = is_slow_ || takes_long(tuple(materials, i));

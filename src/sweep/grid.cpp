@@ -1,12 +1,31 @@
 #include "sweep/grid.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 #include "sigmasweep/assembly/complete.hpp"
 #include "sweep/calibration_cache.hpp"
 
 namespace sigmasweep {
+
+double count_of(const std::vector<ParameterGrid::Group>& groups) {
+  double count = 1.0;
+  for (const ParameterGrid::Group& group : groups) count *= static_cast<double>(group.front().axis.size());
+  return count;
+}
+
+std::vector<ParameterGrid::Group> groups_with(const std::vector<ParameterGrid::Group>& groups,
+                                              std::span<const std::string_view> names) {
+  const auto is_named = [&](const ParameterGrid::Member& member) {
+    return std::ranges::find(names, member.field->name) != names.end();
+  };
+  std::vector<ParameterGrid::Group> found;
+  std::ranges::copy_if(groups, std::back_inserter(found),
+                       [&](const auto& group) { return std::ranges::any_of(group, is_named); });
+  return found;
+}
 
 std::uint64_t size_of(const std::vector<ParameterGrid::Group>& groups) {
   std::uint64_t size = 1;

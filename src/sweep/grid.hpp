@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "sigmasweep/assembly/complete.hpp"
@@ -45,7 +47,12 @@ class ParameterGrid {
   std::shared_ptr<const CalibrationCache> contacts_;
 };
 
-/// Number of tuples of the groups, which must fit into 64 bits.
+/// Number of tuples of the groups, counted in floating point, which does not overflow.
+double count_of(const std::vector<ParameterGrid::Group>& groups);
+/// The groups that have an axis of one of these names.
+std::vector<ParameterGrid::Group> groups_with(const std::vector<ParameterGrid::Group>& groups,
+                                              std::span<const std::string_view> names);
+/// The same number where it fits into 64 bits.
 std::uint64_t size_of(const std::vector<ParameterGrid::Group>& groups);
 /// The parameters `base` with the values of the groups' axes at an index.
 Parameters values_at(const Parameters& base, const std::vector<ParameterGrid::Group>& groups, std::uint64_t index);

@@ -112,11 +112,7 @@ const std::vector<std::string>& Sweep::axes() const { return impl_->tuples().axe
 const std::vector<std::uint64_t>& Sweep::axis_sizes() const { return impl_->tuples().axis_sizes(); }
 const std::vector<Field>& Sweep::columns() const { return impl_->columns; }
 
-const spec::Entry* Sweep::section(std::string_view name) const {
-  const auto& sections = impl_->document.sections;
-  const auto found = std::ranges::find(sections, name, &spec::Entry::name);
-  return found == sections.end() ? nullptr : &*found;
-}
+const spec::Entry* Sweep::section(std::string_view name) const { return spec::find(impl_->document.sections, name); }
 
 std::size_t Sweep::parts() const { return impl_->tuples().parts(); }
 std::uint64_t Sweep::size() const { return impl_->tuples().size(); }

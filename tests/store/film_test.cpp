@@ -25,7 +25,7 @@ void expect_impulses(const Film& film, double tolerance) {
   std::vector<Vec3> impulse(film.beads());
   for (std::size_t s = 0; s <= last; ++s) {
     const double dt = (film.time(std::min(s + 1, last)) - film.time(s == 0 ? 0 : s - 1)) / 2;
-    const auto forces = film.forces(s);
+    const auto forces = film.forces(film.contacts(s));
     for (std::size_t i = 0; i < film.beads(); ++i)
       for (std::size_t axis = 0; axis < 3; ++axis) impulse[i][axis] += forces[i][axis] * dt;
   }

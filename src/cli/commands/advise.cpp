@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -13,11 +12,10 @@
 #include "base/exit_codes.hpp"
 #include "base/text/numbers.hpp"
 #include "cli/command.hpp"
+#include "cli/typed_tuple.hpp"
 #include "sigmasweep/base/errors.hpp"
-#include "sigmasweep/sweep/sweep.hpp"
 #include "studies/advice/advice.hpp"
 #include "studies/advice/decks.hpp"
-#include "sweep/toml/mistakes.hpp"
 
 namespace sigmasweep {
 namespace {
@@ -27,7 +25,7 @@ constexpr auto parameters =
     std::to_array<std::string_view>({"v0", "tc", "s0", "sigma", "N", "epsilon", "d", "wall", "K_over_m", "D_n"});
 
 struct AdviseOptions {
-  std::map<std::string, std::string> given;  ///< value as typed, by parameter
+  TypedParameters given;
   std::string density, mass, stiffness, steps = "50";
   bool json = false;
 };
@@ -48,8 +46,8 @@ double mass_of(const AdviseOptions& options, double d) {
 }
 
 Parameters tuple_of(const AdviseOptions& options) {
-  std::map<std::string, std::string> given = options.given;
-  const auto number = [&](const std::string& name, double usual) {
+  TypedParameters given = options.given;
+  const auto number = [&](std::string_view name, double usual) {
     const auto found = given.find(name);
     return found == given.end() ? usual : parse_number(found->second).value_or(usual);
   };
@@ -59,20 +57,7 @@ Parameters tuple_of(const AdviseOptions& options) {
     given["tc"] =
         fmt::format("{}", tc_of(mass_of(options, number("d", Parameters{}.d)), *stiffness, number("epsilon", 1)));
   }
-  const std::string file = "command line";
-  std::string spec = "[sweep]\n";
-  for (const auto& [name, typed] : given)
-    if (const auto whole = parse_whole_number(typed))
-      spec += fmt::format("{} = {}\n", name, *whole);
-    else if (const auto real = parse_number(typed))
-      spec += fmt::format("{} = {}\n", name, *real);
-    else
-      spec += fmt::format("{} = \"{}\"\n", name, typed);
-  try {
-    return Sweep::parse(spec, file).at(0);
-  } catch (const SpecError& error) {
-    throw UsageError(spec::without_places(error.what(), file) + " (see sigmasweep advise --help)");
-  }
+  return sweep_of(given, "advise").at(0);
 }
 
 /// Percent of the energy that is lost.
@@ -170,7 +155,7 @@ void declare(OptionSet& set, AdviseOptions& options) {
       option.complaint = [](const std::string& typed) {
         return parse_number(typed) ? std::string() : fmt::format("'{}' is not a number{}", typed, number_hint(typed));
       };
-    set.add(option, [&options, name = std::string(name)](const std::string& typed) {
+    set.add(option, [&options, name](const std::string& typed) {
       options.given[name] = typed;
       return true;
     });

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "base/text/numbers.hpp"
 #include "base/thread_clock.hpp"
 #include "cli/command.hpp"
+#include "cli/typed_tuple.hpp"
 #include "engine/report/remarks.hpp"
 #include "sigmasweep/base/errors.hpp"
 #include "sigmasweep/model/names.hpp"
@@ -19,37 +19,14 @@
 #include "sigmasweep/solve/simulate.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
 #include "store/rows/json.hpp"
-#include "sweep/toml/mistakes.hpp"
 
 namespace sigmasweep {
 namespace {
 
 struct OneOptions {
-  std::map<std::string_view, std::string> given;  ///< value as typed, by parameter
+  TypedParameters given;
   bool json = false;
 };
-
-/// The value in TOML. Numbers have been checked before.
-std::string toml_value(const Field& field, const std::string& typed) {
-  if (field.type == FieldType::of<Flag>()) return typed;
-  if (!enumerators(field.type).empty()) return fmt::format("\"{}\"", typed);
-  return field.type == FieldType::real ? fmt::format("{}", parse_number(typed).value())
-                                       : fmt::format("{}", parse_whole_number(typed).value());
-}
-
-/// The tuple as a sweep of one row, so that the spec's checks and messages apply.
-Sweep sweep_of(const OneOptions& options) {
-  const std::string file = "command line";
-  std::string spec = "[sweep]\n";
-  for (const Field& field : parameter_fields())
-    if (const auto value = options.given.find(field.name); value != options.given.end())
-      spec += fmt::format("{} = {}\n", field.name, toml_value(field, value->second));
-  try {
-    return Sweep::parse(spec, file);
-  } catch (const SpecError& error) {
-    throw UsageError(spec::without_places(error.what(), file) + " (see sigmasweep one --help)");
-  }
-}
 
 std::string readable(const Field& field, const Row& row) {
   const std::string value =
@@ -112,7 +89,7 @@ std::vector<Field> shown_fields(const Sweep& sweep, const Row& row) {
 }
 
 int one(const OneOptions& options) {
-  const Sweep sweep = sweep_of(options);
+  const Sweep sweep = sweep_of(options.given, "one");
   const Parameters parameters = sweep.at(0);
   Row row{.index = 0, .parameters = with_springs(parameters), .result = {}, .timing = {}};
   const double start = thread_seconds();

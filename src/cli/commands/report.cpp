@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -73,11 +72,7 @@ int report(const ReportOptions& options) {
   std::vector<ReportPicture> pictures;
   for (const PlotSpec& spec : stored.sweep ? stored.sweep->plots() : std::vector<PlotSpec>(1))
     pictures.push_back(picture_of(stored, options.table, spec));
-  AtomicFile file(output);
-  const std::string page = report_page(stored, options.table, pictures);
-  if (const int why = write_all(file.fd(), std::as_bytes(std::span(page))); why != 0)
-    throw IoError(fmt::format("cannot write {}: {}", output, reason(why)));
-  file.publish();
+  write_text_file(output, report_page(stored, options.table, pictures));
   fmt::print("{}\n", output);
   return 0;
 }

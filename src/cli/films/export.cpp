@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <span>
 
 #include "base/atomic_file.hpp"
-#include "base/file.hpp"
 #include "cli/films/read.hpp"
 #include "sigmasweep/base/errors.hpp"
 
@@ -25,10 +23,7 @@ void make_directory(const fs::path& directory) {
 
 void put_file(const fs::path& path, const std::string& text) {
   make_directory(path.parent_path());
-  AtomicFile file(path.string());
-  if (const int why = write_all(file.fd(), std::as_bytes(std::span(text))); why != 0)
-    throw IoError(fmt::format("cannot write {}: {}", path.string(), reason(why)));
-  file.publish();
+  write_text_file(path.string(), text);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ std::string rows_of(const StoredSweep& stored) {
     text += line_of(name, fmt::format("{}", count));
   text +=
       "</table>\n<table>\n<tr><th></th><th>half of the rows at most</th><th>90 %</th><th>99 %</th><th>all</th></tr>\n";
-  for (const auto& [name, values] : quantiles(RowSource(stored.table.rows))) {
+  for (const auto& [name, values] : overview(RowSource(stored.table.rows)).quantiles) {
     text += "<tr>" + element("th", name);
     for (const double value : values) text += element("td", fmt::format("{:.3g}", value));
     text += "</tr>\n";

@@ -9,7 +9,7 @@
 namespace sigmasweep {
 namespace {
 
-constexpr std::size_t max_piece_tasks = 1024;       // ~200 kB a message; at 10 us a task still 10 ms of work
+constexpr std::size_t max_piece_tasks = 1024;       // of a message; at 10 us a task 10 ms of work
 constexpr double prefetch_seconds = 0.05;           // fifty times the manager's longest sleep
 constexpr auto patience = std::chrono::seconds(5);  // with a rank that is asked to give back tasks
 

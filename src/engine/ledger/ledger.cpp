@@ -211,8 +211,7 @@ void Ledger::quarantine(const Tuple& tuple) {
   if (!slice_.place(tuple.index)) return;
   Row row{.index = tuple.index, .parameters = tuple.parameters, .result = {}, .timing = {}};
   row.result.status = Status::quarantined;
-  const auto tried = attempts_.find(row.index);
-  row.timing.attempt = tried == attempts_.end() ? 1 : tried->second + 1;
+  row.timing.attempt = next_attempt(attempts_, row.index);
   journal_.append(row);
   mark(row.index);
   ++kept_;

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "engine/ledger/attempts.hpp"
 #include "engine/stop/deadline.hpp"
 #include "sigmasweep/model/row.hpp"
 #include "sigmasweep/sweep/sweep.hpp"
@@ -51,16 +51,15 @@ class Ledger {
   std::uint64_t missing() const { return rows() - there_; }
   void for_each_missing(const std::function<void(std::uint64_t row)>& visit) const;
   std::uint64_t kept() const { return kept_; }  ///< number of rows that were there from the start
-  std::uint64_t taken() const {
-    return taken_;
-  }  ///< number of rows among them that were taken over from another sweep just now
+  /// Number of rows among them that were taken over from another sweep just now.
+  std::uint64_t taken() const { return taken_; }
   const std::vector<std::string>& remarks() const { return remarks_; }  ///< on rows that were not taken over
   std::uint64_t there() const { return there_; }
   bool is_complete() const { return there_ == rows(); }
   /// What the rows that were there from the start say of predicted times.
   const CostFactor& learned() const { return learned_; }
   /// The attempts at rows that were tried before and are missing.
-  const std::map<std::uint64_t, std::int32_t>& attempts() const { return attempts_; }
+  const Attempts& attempts() const { return attempts_; }
   /// Reads the rows that are in the journals, in order of index.
   std::vector<Row> journalled() const;
 
@@ -90,8 +89,8 @@ class Ledger {
   void keep(const Row& row);
   void keep_or_retry(const Row& row);
   void remember_attempt(const Row& row);
-
   bool mark(std::uint64_t row);
+
   Sweep sweep_;
   Slice slice_;
   bool retry_;
@@ -100,7 +99,7 @@ class Ledger {
   std::vector<bool> have_;
   std::vector<Row> new_;  // rows that are kept, but in no journal yet
   CostFactor learned_;
-  std::map<std::uint64_t, std::int32_t> attempts_;  // of rows that were tried before and are not kept
+  Attempts attempts_;  // of rows that were tried before and are not kept
   std::vector<std::string> remarks_;
   Journal journal_;  // as it opens it gives its rows to the members above
   bool table_is_complete_ = false;

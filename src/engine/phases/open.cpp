@@ -18,7 +18,7 @@
 namespace sigmasweep {
 namespace {
 
-using Attempts = std::map<std::uint64_t, std::int32_t>;
+constexpr std::uint64_t most_rows_in_memory = std::uint64_t{1} << 22;  // in which rows are looked up in any order
 
 /// The manager's attempts on every rank. Collective.
 Attempts broadcast(const World& world, const Attempts& attempts) {
@@ -47,8 +47,6 @@ void report_kept_rows(const Ledger& ledger, const std::string& table, std::uint6
 }
 
 }  // namespace
-
-constexpr std::uint64_t most_rows_in_memory = std::uint64_t{1} << 22;
 
 RowSource OpenSweep::table_rows() const {
   auto rows = std::make_shared<TableRows>(table);

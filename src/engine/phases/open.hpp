@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 
@@ -25,7 +24,7 @@ struct OpenSweep {
   std::string start;                                     ///< when the run began: ISO 8601, UTC
   std::chrono::steady_clock::time_point steady_start{};  ///< the same moment
   std::optional<Ledger> ledger{};                        ///< on the manager
-  std::map<std::uint64_t, std::int32_t> attempts{};      ///< as Ledger::attempts(), on each rank
+  Attempts attempts{};                                   ///< as Ledger::attempts(), on each rank
   bool table_is_complete = false;                        ///< the table has all rows already
 
   std::uint64_t rows() const { return slice.size(sweep.size()); }  ///< to be in the table

@@ -15,11 +15,7 @@ namespace sigmasweep {
 
 namespace {
 
-int exit_code_of(const RowSource& rows) {
-  for (std::uint64_t k = 0; k < rows.size(); ++k)
-    if (!is_success(rows[k].result.status)) return exit_code::some_rows_failed;
-  return exit_code::success;
-}
+int exit_code_of(const Overview& seen) { return seen.failed > 0 ? exit_code::some_rows_failed : exit_code::success; }
 
 /// The rows that are there.
 RowSource done(const OpenSweep& open, bool table_is_there) {
@@ -34,8 +30,10 @@ RowSource done(const OpenSweep& open, bool table_is_there) {
 int report_rows(const World& world, const OpenSweep& open, const Computed& computed, const Reporter& reporter) {
   return run_on_root(world, [&] {
     const RowSource rows = open.table_rows();
-    reporter.show(fmt::format("{}: {}", open.table, summary(rows, computed.work, world.size(), computed.wall_seconds)));
-    return exit_code_of(rows);
+    const Overview seen = overview(rows);
+    reporter.show(
+        fmt::format("{}: {}", open.table, summary(rows, seen, computed.work, world.size(), computed.wall_seconds)));
+    return exit_code_of(seen);
   });
 }
 
@@ -43,13 +41,14 @@ int report_as_json(const World& world, const OpenSweep& open, const Computed& co
                    const Reporter& reporter) {
   return run_on_root(world, [&] {
     const RowSource rows = done(open, open.table_is_complete || computed.is_complete);
+    const Overview seen = overview(rows);
     const RunEnd end{.table = open.table,
-                     .exit_code = finished ? exit_code_of(rows) : exit_code::stopped,
+                     .exit_code = finished ? exit_code_of(seen) : exit_code::stopped,
                      .total = open.rows(),
                      .work = computed.work,
                      .ranks = world.size(),
                      .wall_seconds = computed.wall_seconds};
-    reporter.document(summary_json(rows, end));
+    reporter.document(summary_json(rows, seen, end));
     return end.exit_code;
   });
 }

@@ -67,9 +67,9 @@ double quantile(const std::vector<double>& values, double q) {
   return values[std::clamp<std::size_t>(rank, 1, values.size()) - 1];
 }
 
-std::string quantile_lines(const RowSource& rows) {
+std::string quantile_lines(const std::vector<Quantiles>& quantiles) {
   std::string lines = fmt::format("  {:<15}{:>11}{:>11}{:>11}{:>11}\n", "", "median", "90 %", "99 %", "max");
-  for (const auto& [name, values] : quantiles(rows)) {
+  for (const auto& [name, values] : quantiles) {
     lines += fmt::format("  {:<15}", name);
     for (const double value : values)
       lines += fmt::format("{:>11}", name == "run_time" ? readable_duration(value) : fmt::format("{:.1e}", value));
@@ -78,9 +78,9 @@ std::string quantile_lines(const RowSource& rows) {
   return lines;
 }
 
-std::string by_status(const RowSource& rows) {
-  std::string lines = fmt::format("{} row{}\n", rows.size(), rows.size() == 1 ? "" : "s");
-  for (const auto& [name, count] : count_by_status(rows)) lines += fmt::format("  {:<17}{:>9}\n", name, count);
+std::string status_lines(std::uint64_t rows, const Overview& seen) {
+  std::string lines = fmt::format("{} row{}\n", rows, rows == 1 ? "" : "s");
+  for (const auto& [name, count] : seen.by_status) lines += fmt::format("  {:<17}{:>9}\n", name, count);
   return lines;
 }
 
@@ -136,33 +136,29 @@ Universality universality(const RowSource& rows) {
   return result;
 }
 
-std::vector<Quantiles> quantiles(const RowSource& rows) {
+Overview overview(const RowSource& rows) {
+  Overview seen;
+  for (const std::string_view name : names_of<Status>()) seen.by_status.emplace_back(name, 0);
   std::array<std::vector<double>, 4> values;
   for (std::uint64_t k = 0; k < rows.size(); ++k) {
     const Row row = rows[k];
+    ++seen.by_status.at(static_cast<std::size_t>(row.result.status)).second;
+    seen.failed += !is_success(row.result.status);
     const std::array of_row{row.result.eps_eff_error, row.result.vibration.h_cm_error,
                             std::abs(row.result.vibration.imbalance), row.timing.run_time};
     for (std::size_t i = 0; i < values.size(); ++i)
       if (!std::isnan(of_row[i])) values[i].push_back(of_row[i]);
   }
-  std::vector<Quantiles> all;
+  std::erase_if(seen.by_status, [](const auto& count) { return count.second == 0; });
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].empty()) continue;
     std::sort(values[i].begin(), values[i].end());
     static constexpr std::array names{"eps_eff_error", "h_cm_error", "|imbalance|", "run_time"};
-    Quantiles& found = all.emplace_back(Quantiles{names[i]});
+    Quantiles& found = seen.quantiles.emplace_back(Quantiles{names[i]});
     std::ranges::transform(std::array{0.5, 0.9, 0.99, 1.0}, found.values.begin(),
                            [&](double q) { return quantile(values[i], q); });
   }
-  return all;
-}
-
-std::vector<std::pair<std::string_view, std::uint64_t>> count_by_status(const RowSource& rows) {
-  std::vector<std::pair<std::string_view, std::uint64_t>> counts;
-  for (const std::string_view name : names_of<Status>()) counts.emplace_back(name, 0);
-  for (std::uint64_t k = 0; k < rows.size(); ++k) ++counts.at(static_cast<std::size_t>(rows[k].result.status)).second;
-  std::erase_if(counts, [](const auto& count) { return count.second == 0; });
-  return counts;
+  return seen;
 }
 
 double least_seconds(const Work& work, int ranks) { return std::max(work.cpu_seconds / ranks, work.longest_seconds); }
@@ -173,8 +169,13 @@ void Work::add(double run_time) {
   longest_seconds = std::max(longest_seconds, run_time);
 }
 
+std::string summary(const RowSource& rows, const Overview& seen, const Work& work, int ranks, double wall_seconds) {
+  return status_lines(rows.size(), seen) + quantile_lines(seen.quantiles) + makespan(work, ranks, wall_seconds) +
+         universal(universality(rows));
+}
+
 std::string summary(const RowSource& rows, const Work& work, int ranks, double wall_seconds) {
-  return by_status(rows) + quantile_lines(rows) + makespan(work, ranks, wall_seconds) + universal(universality(rows));
+  return summary(rows, overview(rows), work, ranks, wall_seconds);
 }
 
 std::string summary(const RowSource& rows, int ranks, double wall_seconds) {

@@ -13,8 +13,8 @@ namespace sigmasweep {
 
 /// The largest spread of eps_eff among rows that should be the same point: equal sigma (to 1e-12, relative), N,
 /// epsilon, method, wall and integrator with its accuracy (steps_per_tc or tolerance), but other v0, tc or s0. How
-/// universal the curve is. Rows without a result are ignored. Of
-/// more than four million rows nothing is said.
+/// universal the curve is. Rows without a result are ignored. Of more
+/// than four million rows nothing is said.
 struct Universality {
   double spread = 0.0;       ///< largest max - min of eps_eff within a group
   double sigma = 0.0;        ///< where
@@ -36,18 +36,23 @@ struct Quantiles {
   std::string name;
   std::array<double, 4> values{};
 };
-/// Of eps_eff_error, h_cm_error, |imbalance| and run_time (s), where rows have them.
-std::vector<Quantiles> quantiles(const RowSource& rows);
-
-/// How many rows have each status, of those that occur, in the order of their numbers.
-std::vector<std::pair<std::string_view, std::uint64_t>> count_by_status(const RowSource& rows);
+/// What the rows come to, counted in one pass over them.
+struct Overview {
+  /// How many rows have each status, of those that occur, in the order of their numbers.
+  std::vector<std::pair<std::string_view, std::uint64_t>> by_status{};
+  std::uint64_t failed = 0;  ///< rows that have no result
+  /// Of eps_eff_error, h_cm_error, |imbalance| and run_time (s), where rows have them.
+  std::vector<Quantiles> quantiles{};
+};
+Overview overview(const RowSource& rows);
 
 /// max(sum/ranks, longest), s: no schedule of the work ends earlier.
 double least_seconds(const Work& work, int ranks);
 
 /// The text at the end of a sweep: rows by status, quantiles of error and run time, makespan against its lower bound
 /// max(sum/ranks, longest) and what was lost to the schedule and to a busy machine, universality. `wall_seconds` is the
-/// time that the computing of `work` took on `ranks` ranks, 0 when nothing was computed.
+/// time that the computing of `work` took on `ranks` ranks, 0 when nothing was computed. `seen` is the overview().
+std::string summary(const RowSource& rows, const Overview& seen, const Work& work, int ranks, double wall_seconds);
 std::string summary(const RowSource& rows, const Work& work, int ranks, double wall_seconds);
 /// The same when all rows were computed in that time.
 std::string summary(const RowSource& rows, int ranks, double wall_seconds);

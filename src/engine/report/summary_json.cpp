@@ -10,9 +10,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json quantiles_json(const RowSource& rows) {
+Json quantiles_json(const std::vector<Quantiles>& quantiles) {
   Json all = Json::object();
-  for (const auto& [name, values] : quantiles(rows))
+  for (const auto& [name, values] : quantiles)
     all[name] = {{"median", values[0]}, {"90%", values[1]}, {"99%", values[2]}, {"max", values[3]}};
   return all;
 }
@@ -27,9 +27,9 @@ Json work_json(const RunEnd& end) {
           {"best_possible_seconds", least_seconds(end.work, end.ranks)}};
 }
 
-Json statuses_json(const RowSource& rows) {
+Json statuses_json(const Overview& seen) {
   Json counts = Json::object();
-  for (const auto& [name, count] : count_by_status(rows)) counts[std::string(name)] = count;
+  for (const auto& [name, count] : seen.by_status) counts[std::string(name)] = count;
   return counts;
 }
 
@@ -40,15 +40,15 @@ Json universality_json(const Universality& found) {
 
 }  // namespace
 
-std::string summary_json(const RowSource& rows, const RunEnd& end) {
+std::string summary_json(const RowSource& rows, const Overview& seen, const RunEnd& end) {
   const Json document = {{"table", end.table},
                          {"state", end.exit_code == exit_code::stopped ? "stopped" : "complete"},
                          {"exit_code", end.exit_code},
                          {"rows", end.total},
                          {"done", rows.size()},
-                         {"by_status", statuses_json(rows)},
+                         {"by_status", statuses_json(seen)},
                          {"computed", work_json(end)},
-                         {"quantiles", quantiles_json(rows)},
+                         {"quantiles", quantiles_json(seen.quantiles)},
                          {"universality", universality_json(universality(rows))}};
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

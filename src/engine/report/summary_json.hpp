@@ -18,7 +18,7 @@ struct RunEnd {
 };
 
 /// The summary() as a JSON document. The names are those of `sigmasweep status --json` where they mean the same. `rows`
-/// are the rows that are there.
-std::string summary_json(const RowSource& rows, const RunEnd& end);
+/// are the rows that are there, `seen` is their overview().
+std::string summary_json(const RowSource& rows, const Overview& seen, const RunEnd& end);
 
 }  // namespace sigmasweep

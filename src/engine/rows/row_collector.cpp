@@ -15,11 +15,6 @@
 namespace sigmasweep {
 namespace {
 
-/// A number that is larger for the record that counts (counts_more()); never 0.
-std::uint64_t precedence_of(const Row& row) {
-  return (static_cast<std::uint64_t>(std::max(row.timing.attempt, 0)) << 1 | is_reproducible(row.result.status)) + 1;
-}
-
 std::uint64_t row_size(const Sweep& sweep) {
   const PackedRows one(sweep.columns(), std::uint64_t{1});
   return one.results().row_size + one.timings().row_size;

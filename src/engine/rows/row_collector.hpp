@@ -20,7 +20,7 @@ namespace sigmasweep {
 /// ranks that write them: each rank has a contiguous block of the table. A block comes in pieces of bounded size. For
 /// each piece all ranks read their journals, and send the rows that belong to it to their owners, in rounds of bounded
 /// size. So memory does not grow with the number of rows. Rows that were computed several times count once
-/// (counts_more()).
+/// (precedence_of()).
 class RowCollector {
  public:
   /// The most bytes of a piece on a rank, and of a round; at least one row.

@@ -4,8 +4,7 @@
 
 namespace sigmasweep {
 
-RowKeeper::RowKeeper(JournalFile& journal, std::map<std::uint64_t, std::int32_t> attempts)
-    : journal_(journal), attempts_(std::move(attempts)) {}
+RowKeeper::RowKeeper(JournalFile& journal, Attempts attempts) : journal_(journal), attempts_(std::move(attempts)) {}
 
 template <class Step>
 bool RowKeeper::attempt(Step step) noexcept {
@@ -22,10 +21,7 @@ bool RowKeeper::keep(std::span<Row> rows) noexcept {
   const std::lock_guard lock(mutex_);
   return attempt([&] {
     if (rows.empty()) return;
-    for (Row& row : rows) {
-      const auto tried = attempts_.empty() ? attempts_.end() : attempts_.find(row.index);
-      row.timing.attempt = tried == attempts_.end() ? 1 : tried->second + 1;
-    }
+    for (Row& row : rows) row.timing.attempt = next_attempt(attempts_, row.index);
     if (!journal_.is_there()) journal_.begin_alone();
     journal_.append(rows);
   });

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
-#include <map>
 #include <mutex>
 #include <span>
 
+#include "engine/ledger/attempts.hpp"
 #include "sigmasweep/model/row.hpp"
 #include "store/journal/file.hpp"
 
@@ -19,7 +19,7 @@ class RowKeeper {
  public:
   /// `journal` must outlive the object. If there is no file yet, the first row begins it. `attempts` are those at rows
   /// that were tried before.
-  RowKeeper(JournalFile& journal, std::map<std::uint64_t, std::int32_t> attempts);
+  RowKeeper(JournalFile& journal, Attempts attempts);
 
   /// Sets the rows' attempts, and appends the rows. Returns false if this or an earlier call has failed: then the rows
   /// are not to be called done.
@@ -34,7 +34,7 @@ class RowKeeper {
   bool attempt(Step step) noexcept;
 
   JournalFile& journal_;
-  std::map<std::uint64_t, std::int32_t> attempts_;
+  Attempts attempts_;
   std::mutex mutex_;  ///< of the journal and the error
   std::exception_ptr error_;
   std::atomic<bool> failed_ = false;

@@ -165,6 +165,17 @@ double value_at(const PlotAxis& axis, double fraction) {
   return from_scale(axis, from + fraction * (to - from));
 }
 
+std::vector<Point> fitted_line(const Figure& figure, const Fit& fit) {
+  constexpr int pieces = 100;
+  const double from = fraction(figure.x, fit.from), to = fraction(figure.x, fit.to);
+  std::vector<Point> points;
+  for (int k = 0; k <= pieces; ++k) {
+    const double x = value_at(figure.x, from + (to - from) * k / pieces);
+    points.push_back({x, fit(x)});
+  }
+  return points;
+}
+
 Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::string& title) {
   Coordinate x(spec.x), y(spec.y);
   std::optional<Coordinate> error;

@@ -56,6 +56,9 @@ double fraction(const PlotAxis& axis, double value);
 /// The value at this position.
 double value_at(const PlotAxis& axis, double fraction);
 
+/// A fitted line as points, because a power is not straight on linear axes, nor a line on logarithmic ones.
+std::vector<Point> fitted_line(const Figure& figure, const Fit& fit);
+
 /// The figure of the rows that can be drawn. Curves are in the order in which they first appear. Throws UsageError for
 /// an unknown field, a field that is not a number, and a bad expression.
 Figure figure_of(std::span<const Row> rows, const PlotSpec& spec, const std::string& title);

@@ -153,18 +153,6 @@ std::string data_block(std::string_view name, std::size_t number, const std::vec
   return out + "end_of_data\n";
 }
 
-/// A fitted line as points, because a power is not straight on linear axes, nor a line on logarithmic ones.
-std::vector<Point> sampled(const Fit& fit, const Figure& figure) {
-  constexpr int pieces = 100;
-  const double from = fraction(figure.x, fit.from), to = fraction(figure.x, fit.to);
-  std::vector<Point> points;
-  for (int k = 0; k <= pieces; ++k) {
-    const double x = value_at(figure.x, from + (to - from) * k / pieces);
-    points.push_back({x, fit(x)});
-  }
-  return points;
-}
-
 /// The data blocks and the plot command. Joining lines are drawn first, then symbols, then hard spheres and guides.
 class Drawing {
  public:
@@ -191,7 +179,7 @@ class Drawing {
  private:
   void add_symbols(const Curve& curve, const Figure& figure, std::size_t style) {
     const std::string colour = fmt::format("linecolor '{}'", series_colour(style));
-    if (curve.fit) add(sampled(*curve.fit, figure), "with lines linewidth 0.9 " + colour, "");
+    if (curve.fit) add(fitted_line(figure, *curve.fit), "with lines linewidth 0.9 " + colour, "");
     if (!curve.path.empty()) add(curve.path, "with lines linewidth 1 " + colour, "");
     std::vector<Point> bars;
     std::ranges::copy_if(curve.points, std::back_inserter(bars), [](const Point& p) { return p.deviation > 0.0; });

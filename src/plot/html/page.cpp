@@ -29,28 +29,27 @@ class PageRows {
     if (point.row == Point::no_row) return nullptr;
     return places_.try_emplace(point.row, places_.size()).first->second;
   }
-  /// The fields with their units; of those that are the same in all rows the value, too.
-  Json fields() const {
-    Json list = Json::array();
+  /// Puts the fields with their units on the page, with the value of those that are the same in all rows; and the rows
+  /// with their values of the other fields, empty where a row has none.
+  void put(Json& data) const {
+    std::vector<Field> differing;
+    data["fields"] = Json::array();
     for (const Field& field : shown()) {
       Json entry = {{"name", field.name}, {"unit", field.unit == "1" ? "" : field.unit}};
-      if (const auto value = common(field)) entry["value"] = *value;
-      list.push_back(std::move(entry));
+      if (const auto value = common(field))
+        entry["value"] = *value;
+      else
+        differing.push_back(field);
+      data["fields"].push_back(std::move(entry));
     }
-    return list;
-  }
-  /// The values of the other fields, empty where a row has none.
-  Json rows() const {
-    std::vector<Json> all(places_.size());
-    std::vector<Field> fields = shown();
-    std::erase_if(fields, [&](const Field& field) { return common(field).has_value(); });
+    std::vector<Json> rows(places_.size());
     for (const auto& [place, number] : places_) {
       const Row& row = rows_[place];
       Json values = Json::array();
-      for (const Field& field : fields) values.push_back(value_of(field, row));
-      all[number] = {{"index", row.index}, {"values", values}, {"command", repeat_command(row.parameters)}};
+      for (const Field& field : differing) values.push_back(value_of(field, row));
+      rows[number] = {{"index", row.index}, {"values", values}, {"command", repeat_command(row.parameters)}};
     }
-    return all;
+    data["rows"] = std::move(rows);
   }
 
  private:
@@ -64,7 +63,6 @@ class PageRows {
           fields.push_back(field);
     return fields;
   }
-
   static std::string value_of(const Field& field, const Row& row) {
     return applies_to(field, row.parameters) ? text(field, row) : "";
   }
@@ -85,14 +83,9 @@ Json points_of(const std::vector<Point>& points, PageRows& rows) {
   return list;
 }
 
-Json fit_of(const Curve& curve, const Figure& figure) {
+Json line_of(const std::vector<Point>& points) {
   Json line = Json::array();
-  if (!curve.fit) return line;
-  const double from = fraction(figure.x, curve.fit->from), to = fraction(figure.x, curve.fit->to);
-  for (int k = 0; k <= 50; ++k) {
-    const double x = value_at(figure.x, from + (to - from) * k / 50);
-    line.push_back({x, (*curve.fit)(x)});
-  }
+  for (const Point& p : points) line.push_back({p.x, p.y});
   return line;
 }
 
@@ -108,7 +101,7 @@ Json curves_of(const Figure& figure, PageRows& rows) {
                       {"symbol", own},
                       {"points", points_of(curve.points, rows)},
                       {"path", points_of(curve.path, rows)},
-                      {"fit", fit_of(curve, figure)}});
+                      {"fit", line_of(curve.fit ? fitted_line(figure, *curve.fit) : std::vector<Point>{})}});
   }
   return curves;
 }
@@ -120,11 +113,8 @@ Json axis_of(const PlotAxis& axis, const std::string& name) {
 
 Json guides_of(const Figure& figure) {
   Json guides = Json::array();
-  for (const Guide& guide : figure.guides) {
-    Json path = Json::array();
-    for (const Point& p : guide.path) path.push_back({p.x, p.y});
-    guides.push_back({{"label", html_of_markup(guide.label)}, {"path", path}});
-  }
+  for (const Guide& guide : figure.guides)
+    guides.push_back({{"label", html_of_markup(guide.label)}, {"path", line_of(guide.path)}});
   return guides;
 }
 
@@ -151,8 +141,7 @@ std::string html_page(const Figure& figure, std::span<const Row> all_rows, const
                {"note", html_of_markup(figure.note)},
                {"curves", curves_of(figure, rows)},
                {"guides", guides_of(figure)}};
-  data["fields"] = rows.fields();
-  data["rows"] = rows.rows();
+  rows.put(data);
   std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
   for (std::size_t at = 0; (at = json.find('<', at)) != json.npos;) json.replace(at, 1, "\\u003c");  // ends no script
   const std::string title = figure.title.empty() ? spec.y + " against " + spec.x : figure.title;

@@ -38,6 +38,7 @@ std::size_t known_samples(const Trajectory& t) {
 Film::Film(const Tuple& tuple, Trajectory trajectory)
     : tuple_(tuple),
       trajectory_(std::move(trajectory)),
+      laws_(has_forces() ? si_column<double>(tuple.parameters) : Column<double>{}),
       samples_(known_samples(trajectory_)),
       box_(box_around(trajectory_)) {}
 
@@ -53,13 +54,13 @@ Vec3 Film::velocity(std::size_t sample, std::size_t bead) const {
 
 std::vector<FilmContact> Film::contacts(std::size_t sample) const {
   if (!has_forces()) return {};
-  return trajectory_.is_plane() ? lattice_contacts(tuple_.parameters, trajectory_, sample)
-                                : column_contacts(tuple_.parameters, trajectory_, sample);
+  return trajectory_.is_plane() ? lattice_contacts(tuple_.parameters, laws_, trajectory_, sample)
+                                : column_contacts(tuple_.parameters, laws_, trajectory_, sample);
 }
 
-std::vector<Vec3> Film::forces(std::size_t sample) const {
+std::vector<Vec3> Film::forces(std::span<const FilmContact> contacts) const {
   std::vector<Vec3> sum(beads());
-  for (const FilmContact& contact : contacts(sample))
+  for (const FilmContact& contact : contacts)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       sum[contact.i][axis] += contact.force[axis];
       if (contact.j != FilmContact::wall) sum[contact.j][axis] -= contact.force[axis];

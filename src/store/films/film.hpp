@@ -3,8 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "assembly/column.hpp"
 #include "sigmasweep/model/row.hpp"
 #include "sigmasweep/model/trajectory.hpp"
 
@@ -42,8 +44,8 @@ class Film {
   }  ///< collisions of hard spheres take no time
   /// The closed contacts of a sample, of the law of Eq. (8) with the dashpots of Eqs. (3) and (4).
   std::vector<FilmContact> contacts(std::size_t sample) const;
-  /// The sum of the forces on each bead, over the mean bead's mass, m/s^2. Without gravity.
-  std::vector<Vec3> forces(std::size_t sample) const;
+  /// The sum of the forces of these contacts on each bead, over the mean bead's mass, m/s^2. Without gravity.
+  std::vector<Vec3> forces(std::span<const FilmContact> contacts) const;
 
   /// The corners of a box around all positions at all times, m.
   std::array<Vec3, 2> box() const { return box_; }
@@ -52,6 +54,7 @@ class Film {
  private:
   Tuple tuple_;
   Trajectory trajectory_;
+  Column<double> laws_;  ///< in SI units; of soft spheres
   std::size_t samples_;
   std::array<Vec3, 2> box_;
 };

@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "assembly/column.hpp"
 #include "assembly/ground.hpp"
 #include "base/vec2.hpp"
 #include "contact/contact_law.hpp"
@@ -30,8 +29,8 @@ Bottom bottom_at(const Parameters& p, double time) {
 /// Discs of a lattice at one time.
 class Discs {
  public:
-  Discs(const Parameters& p, const Trajectory& motion, std::size_t sample)
-      : p_(p), motion_(motion), first_(sample * motion.beads()), laws_(si_column<double>(p)) {}
+  Discs(const Parameters& p, const Column<double>& contact_laws, const Trajectory& motion, std::size_t sample)
+      : p_(p), laws_(contact_laws), motion_(motion), first_(sample * motion.beads()) {}
 
   std::vector<FilmContact> contacts() {
     const Bottom bottom = bottom_at(p_, motion_.time[first_ / motion_.beads()]);
@@ -108,16 +107,16 @@ class Discs {
   }
 
   const Parameters& p_;
+  const Column<double>& laws_;
   const Trajectory& motion_;
   std::size_t first_;
-  Column<double> laws_;
   std::vector<FilmContact> found_;
 };
 
 }  // namespace
 
-std::vector<FilmContact> column_contacts(const Parameters& p, const Trajectory& motion, std::size_t sample) {
-  const Column<double> column = si_column<double>(p);
+std::vector<FilmContact> column_contacts(const Parameters& p, const Column<double>& contact_laws,
+                                         const Trajectory& motion, std::size_t sample) {
   const Bottom bottom = bottom_at(p, motion.time[sample]);
   const std::size_t first = sample * motion.beads();
   std::vector<FilmContact> found;
@@ -126,16 +125,17 @@ std::vector<FilmContact> column_contacts(const Parameters& p, const Trajectory& 
     const double overlap = (k == 0 ? bottom.height : motion.z[first + k - 1]) - z;
     if (!(overlap > 0.0)) continue;
     const double rate = (k == 0 ? bottom.speed : motion.velocity[first + k - 1]) - v;
-    const double force = visit_law(column.exponents, [&](const auto& law) {
-      return where_closed(law, column.spring(k), column.dashpot(k), overlap, rate);
+    const double force = visit_law(contact_laws.exponents, [&](const auto& law) {
+      return where_closed(law, contact_laws.spring(k), contact_laws.dashpot(k), overlap, rate);
     });
     found.push_back({k, k == 0 ? FilmContact::wall : k - 1, overlap, {0.0, 0.0, force}});
   }
   return found;
 }
 
-std::vector<FilmContact> lattice_contacts(const Parameters& p, const Trajectory& motion, std::size_t sample) {
-  return Discs(p, motion, sample).contacts();
+std::vector<FilmContact> lattice_contacts(const Parameters& p, const Column<double>& contact_laws,
+                                          const Trajectory& motion, std::size_t sample) {
+  return Discs(p, contact_laws, motion, sample).contacts();
 }
 
 }  // namespace sigmasweep

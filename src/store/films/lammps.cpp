@@ -23,7 +23,7 @@ std::string beads(const Film& film) {
     put_head(text, film, s, "ATOMS", film.beads());
     text += "ITEM: ATOMS id type x y z vx vy vz radius mass";
     text += film.has_forces() ? " fx fy fz\n" : "\n";
-    const auto forces = film.has_forces() ? film.forces(s) : std::vector<Vec3>{};
+    const auto forces = film.has_forces() ? film.forces(film.contacts(s)) : std::vector<Vec3>{};
     for (std::size_t i = 0; i < film.beads(); ++i) {
       fmt::format_to(std::back_inserter(text), "{} 1 {} {} {} {}", i + 1, fmt::join(film.position(s, i), " "),
                      fmt::join(film.velocity(s, i), " "), film.radius(i), film.mass(i));

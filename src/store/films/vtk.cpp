@@ -35,8 +35,9 @@ Arrays arrays_of(const Film& film, std::size_t s) {
     all.mass.push_back(film.mass(i));
   }
   if (!film.has_forces()) return all;
-  for (const Vec3& force : film.forces(s)) append(all.force, force);
-  for (const FilmContact& contact : film.contacts(s)) {
+  const auto contacts = film.contacts(s);
+  for (const Vec3& force : film.forces(contacts)) append(all.force, force);
+  for (const FilmContact& contact : contacts) {
     if (contact.j == FilmContact::wall) continue;
     all.ends.insert(all.ends.end(), {contact.i, contact.j});
     all.offsets.push_back(all.ends.size());

@@ -17,7 +17,7 @@ std::string frame(const Film& film, std::size_t s) {
       film.beads(), high[0] - low[0], high[1] - low[1], high[2] - low[2], fmt::join(low, " "),
       film.is_periodic() ? "T" : "F", film.time(s));
   text += film.has_forces() ? ":forces:R:3\n" : "\n";
-  const auto forces = film.has_forces() ? film.forces(s) : std::vector<Vec3>{};
+  const auto forces = film.has_forces() ? film.forces(film.contacts(s)) : std::vector<Vec3>{};
   for (std::size_t i = 0; i < film.beads(); ++i) {
     fmt::format_to(std::back_inserter(text), "X {} {} {} {}", fmt::join(film.position(s, i), " "),
                    fmt::join(film.velocity(s, i), " "), film.radius(i), film.mass(i));

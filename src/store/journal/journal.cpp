@@ -89,7 +89,7 @@ void Journal::Impl::refuse(const OpenJournal& found, const std::string& why) con
 
 void Journal::Impl::visit_all(const OpenJournal& journal, const Visit& visit) {
   RecordReader reader(journal.file, journal.path, journal.header, journal.fields(identity.results).value());
-  while (reader.read_some(visit)) continue;
+  reader.read_all(visit);
   dropped += reader.dropped();
 }
 
@@ -139,7 +139,7 @@ void Journal::Impl::go_on(OpenJournal found, const Visit& visit) {
     visit(row);
     if (!is_as_written_now) rows.push_back(row);
   };
-  while (reader.read_some(take)) continue;
+  reader.read_all(take);
   dropped += reader.dropped();
   if (is_as_written_now)
     own.go_on(std::move(found.file), found.header, reader.records());
@@ -158,7 +158,7 @@ std::vector<JournalledRow> Journal::Impl::rows_of_set(const OpenJournal& first) 
     const auto fields = journal.fields(results);
     if (!fields) continue;
     RecordReader reader(journal.file, path, journal.header, *fields);
-    while (reader.read_some([&](const JournalledRow& row) { rows.push_back(row); })) continue;
+    reader.read_all([&](const JournalledRow& row) { rows.push_back(row); });
   }
   keep_one_of_each_index(rows);
   return rows;

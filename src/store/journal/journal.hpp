@@ -43,8 +43,8 @@ class Journal {
                                                               const std::optional<TableInfo>& theirs)>;
   ///
   /// Each good record that is there is handed to `visit`, in the order in which they were written in each journal; of
-  /// several records of an index one counts (counts_more()). Every index is below the identity's rows. The caller must
-  /// compare the content key of a row with that of the spec's.
+  /// several records of an index one counts (precedence_of()). Every index is below the identity's rows. The caller
+  /// must compare the content key of a row with that of the spec's.
   using Visit = RecordReader::Visit;
   Journal(
       const std::string& table_path, const JournalIdentity& identity, bool fresh, const Carry& carry = {},

@@ -29,7 +29,7 @@ OpenJournal open_journal(const std::string& path, int flags) {
 
 std::string OpenJournal::why_unreadable(std::span<const Field> results) const {
   if (std::string why = sigmasweep::why_unreadable(header, header_size); !why.empty()) return why;
-  if (!fields(results)) return "is a journal of another version of sigmasweep (its rows hold other fields)";
+  if (!fields(results)) return other_fields;
   return {};
 }
 

@@ -37,7 +37,7 @@ void add_rows(const OpenJournal& journal, std::span<const Field> results, std::v
   const auto fields = journal.fields(results);
   if (!fields) return;
   RecordReader reader(journal.file, journal.path, journal.header, *fields);
-  while (reader.read_some([&](const JournalledRow& row) { rows.push_back(row); })) continue;
+  reader.read_all([&](const JournalledRow& row) { rows.push_back(row); });
 }
 
 }  // namespace

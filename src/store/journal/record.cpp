@@ -48,8 +48,6 @@ std::uint64_t checksum_of(const JournalHeader& header) {
   return XXH3_64bits(&header, offsetof(JournalHeader, checksum));
 }
 
-constexpr const char* other_fields = "is a journal of another version of sigmasweep (its rows hold other fields)";
-
 std::uint32_t build_hash() {
   const std::string build = build_name();
   return static_cast<std::uint32_t>(XXH3_64bits(build.data(), build.size()));

@@ -68,6 +68,10 @@ std::optional<std::vector<Field>> record_fields(const JournalHeader& header, std
 /// Whether the text is the one that belongs to the header.
 bool is_description_of(const JournalHeader& header, std::string_view description);
 
+/// Why a journal is not readable whose records have fields that this program does not know.
+inline constexpr const char* other_fields =
+    "is a journal of another version of sigmasweep (its rows hold other fields)";
+
 /// Why a file whose first `size` bytes are `found` is not a journal that this program can read, whatever the sweep;
 /// empty if it is one.
 std::string why_unreadable(const JournalHeader& found, std::size_t size);

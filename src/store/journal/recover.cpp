@@ -35,9 +35,12 @@ bool RecordReader::read_some(const Visit& visit, const IsWanted& is_wanted) {
   return got == chunk_.size();
 }
 
-bool counts_more(const Row& a, const Row& b) {
-  if (a.timing.attempt != b.timing.attempt) return a.timing.attempt > b.timing.attempt;
-  return is_reproducible(a.result.status) && !is_reproducible(b.result.status);
+void RecordReader::read_all(const Visit& visit) {
+  while (read_some(visit)) continue;
+}
+
+std::uint64_t precedence_of(const Row& row) {
+  return (static_cast<std::uint64_t>(std::max(row.timing.attempt, 0)) << 1 | is_reproducible(row.result.status)) + 1;
 }
 
 void keep_one_of_each_index(std::vector<JournalledRow>& rows) {
@@ -47,7 +50,7 @@ void keep_one_of_each_index(std::vector<JournalledRow>& rows) {
   for (const JournalledRow& found : rows) {
     if (kept == 0 || index(rows[kept - 1]) != index(found))
       rows[kept++] = found;
-    else if (!counts_more(rows[kept - 1].row, found.row))
+    else if (precedence_of(found.row) >= precedence_of(rows[kept - 1].row))
       rows[kept - 1] = found;
   }
   rows.resize(kept);

@@ -24,6 +24,9 @@ class RecordReader {
   /// Returns false when there are no further records. Throws IoError.
   bool read_some(const Visit& visit, const IsWanted& is_wanted = {});
 
+  /// The same with all that are left.
+  void read_all(const Visit& visit);
+
   std::uint64_t records() const { return records_; }  ///< one past the last good record
   std::uint64_t dropped() const { return dropped_; }  ///< number of damaged and torn records
 
@@ -37,9 +40,10 @@ class RecordReader {
   std::uint64_t records_ = 0, dropped_ = 0;
 };
 
-/// Whether `a` counts, where both are records of one row and `b` was found later. The last attempt does; of two copies
-/// of one attempt the one with a result that every computation has, otherwise the later.
-bool counts_more(const Row& a, const Row& b);
+/// How much a record of a row counts beside other records of that row: the largest number counts, of equal ones the one
+/// found last. The last attempt has it; of two copies of one attempt the one with a result that every computation has.
+/// Never 0.
+std::uint64_t precedence_of(const Row& row);
 
 /// Keeps of each index the row that counts, in order of index.
 void keep_one_of_each_index(std::vector<JournalledRow>& rows);

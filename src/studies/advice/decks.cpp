@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <numbers>
 
 namespace sigmasweep {
 namespace {
@@ -37,7 +38,7 @@ std::string yade(const Advice& a, double step) {
   const auto beside_bead = [](double contact, double pair) {
     return contact < 2.0 * pair ? fmt::format("{:.10g}", 2.0 * pair * contact / (2.0 * pair - contact)) : "1e300";
   };
-  const double volume_mass = a.mass / (3.14159265358979323846 / 6.0 * a.tuple.d * a.tuple.d * a.tuple.d);
+  const double volume_mass = a.mass / (std::numbers::pi / 6.0 * a.tuple.d * a.tuple.d * a.tuple.d);
   return fmt::format(
       "bead = ViscElMat(density={:.10g}, kn={:.10g}, cn={:.10g}, ks=0.0, cs=0.0, frictionAngle=0.0)\n"
       "wall = ViscElMat(density={:.10g}, kn={}, cn={}, ks=0.0, cs=0.0, frictionAngle=0.0)\n"

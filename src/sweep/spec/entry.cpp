@@ -57,6 +57,11 @@ std::vector<Entry> entries(const toml::table& table, const std::string& file, co
   return sorted;
 }
 
+const Entry* find(const std::vector<Entry>& keys, std::string_view name) {
+  const auto found = std::ranges::find(keys, name, &Entry::name);
+  return found == keys.end() ? nullptr : &*found;
+}
+
 std::vector<Entry> elements(const Entry& list) {
   std::vector<Entry> found;
   const auto* array = list.node->as_array();

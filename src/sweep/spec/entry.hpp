@@ -23,6 +23,8 @@ struct Entry {
 
 /// The keys of a table in the order of the file.
 std::vector<Entry> entries(const toml::table& table, const std::string& file, const std::string& path);
+/// The key of this name, or null.
+const Entry* find(const std::vector<Entry>& keys, std::string_view name);
 /// The elements of a list; they keep the list's name and path.
 std::vector<Entry> elements(const Entry& list);
 

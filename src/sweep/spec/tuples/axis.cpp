@@ -80,12 +80,6 @@ struct AxisTable {
 
 using Keys = std::vector<Entry>;
 
-const Entry* find(const Keys& keys, std::string_view name) {
-  for (const Entry& key : keys)
-    if (key.name == name) return &key;
-  return nullptr;
-}
-
 const Entry& need(const Entry& entry, const Keys& keys, std::string_view name, std::string_view form) {
   if (const Entry* key = find(keys, name)) return *key;
   refuse(entry, fmt::format("'{}' is missing: {}", name, form));

@@ -35,11 +35,6 @@ void require_known(const Entry& key) {
   if (std::ranges::find(known, key.name) == known.end()) refuse_unknown(key, known);
 }
 
-const Entry* find(const std::vector<Entry>& keys, std::string_view name) {
-  const auto found = std::ranges::find(keys, name, &Entry::name);
-  return found == keys.end() ? nullptr : &*found;
-}
-
 /// The keys of a part: those of [defaults] that it does not have itself, then its own.
 std::vector<Entry> keys_of(const Entry& sweep, const std::vector<Entry>& defaults) {
   const auto own = entries(as_table(sweep), *sweep.file, sweep.path);

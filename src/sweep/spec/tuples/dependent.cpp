@@ -69,14 +69,7 @@ std::vector<ParameterGrid::Group> groups_behind(const Expression<Parameters>& ex
                                                 const std::vector<ParameterGrid::Group>& groups) {
   std::vector<std::string_view> used;
   for (const ParameterField& field : expression.used()) used.push_back(field.name);
-  const auto causes = earlier.with_causes(used);
-  const auto is_cause = [&](const ParameterGrid::Member& member) {
-    return std::ranges::find(causes, member.field->name) != causes.end();
-  };
-  std::vector<ParameterGrid::Group> found;
-  for (const ParameterGrid::Group& group : groups)
-    if (std::ranges::any_of(group, is_cause)) found.push_back(group);
-  return found;
+  return groups_with(groups, earlier.with_causes(used));
 }
 
 std::string why_bad(const ParameterField& field, double value) {
@@ -101,9 +94,7 @@ Axis checked(const Setting& setting, const Parameters& base, const Dependents& e
              const std::vector<ParameterGrid::Group>& groups) {
   Expression<Parameters> expression(setting.expression, fields_of_parameters(), expression_types::Wanted::number);
   const auto behind = groups_behind(expression, earlier, groups);
-  double count = 1.0;
-  for (const ParameterGrid::Group& group : behind) count *= static_cast<double>(group.front().axis.size());
-  if (count > static_cast<double>(max_checked))
+  if (const double count = count_of(behind); count > static_cast<double>(max_checked))
     refuse_value(setting.entry,
                  fmt::format("depends on axes with {:.3g} combinations, at most {} are allowed", count, max_checked));
   std::optional<double> least, most;

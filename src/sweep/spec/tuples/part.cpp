@@ -32,8 +32,7 @@ constexpr std::size_t short_expression = 64;  // characters
 constexpr std::uint64_t max_filtered_slowly = std::uint64_t{1} << 17;
 
 void require_countable(const Entry& sweep, const std::vector<ParameterGrid::Group>& groups) {
-  double tuples = 1.0;
-  for (const ParameterGrid::Group& group : groups) tuples *= static_cast<double>(group.front().axis.size());
+  const double tuples = count_of(groups);
   if (tuples > static_cast<double>(max_tuples))
     refuse(sweep, fmt::format("the axes multiply to {:.{}} tuples, at most 2^40 = {} are allowed", tuples,
                               tuples < 1e15 ? 16 : 3, max_tuples));

@@ -62,19 +62,13 @@ bool has_names(const ParameterGrid::Group& group) {
   return std::ranges::any_of(group, [](const auto& member) { return !enumerators(member.field->type).empty(); });
 }
 
-double count(const std::vector<ParameterGrid::Group>& groups) {
-  double all = 1.0;
-  for (const ParameterGrid::Group& group : groups) all *= static_cast<double>(group.front().axis.size());
-  return all;
-}
-
 /// The groups, reduced to their extremes one after the other until they make at most `max_pairs` pairs. Groups without
 /// names are reduced first.
 std::vector<ParameterGrid::Group> reduced_groups(std::vector<ParameterGrid::Group> few, std::uint64_t max_pairs) {
   const auto most = static_cast<double>(max_pairs);
   for (const bool names_too : {false, true})
     for (ParameterGrid::Group& group : few)
-      if (count(few) > most && (names_too || !has_names(group))) group = extremes(group);
+      if (count_of(few) > most && (names_too || !has_names(group))) group = extremes(group);
   return few;
 }
 
